@@ -1,0 +1,45 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Flags of our own targets; never exported to users of the library.
+add_library(setsquare_own_flags INTERFACE)
+target_compile_features(setsquare_own_flags INTERFACE cxx_std_20)
+target_compile_options(
+  setsquare_own_flags
+  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+            -Wconversion -Wno-sign-conversion
+            # The same numbers on every machine: no fused multiply-add behind our back.
+            -ffp-contract=off
+            # Lets loops over plain arrays vectorise; NaN and infinity keep their meaning.
+            -fno-math-errno -fno-trapping-math
+            $<$<BOOL:${SETSQUARE_WARNINGS_AS_ERRORS}>:-Werror>)
+
+# setsquare_add_layer(NAME SOURCES a.cpp ... DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# One library a layer, target setsquare::NAME. DEPENDS names the layers that it may include.
+function(setsquare_add_layer name)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  add_library(setsquare_${name} STATIC ${arg_SOURCES})
+  add_library(setsquare::${name} ALIAS setsquare_${name})
+  set_target_properties(setsquare_${name} PROPERTIES EXPORT_NAME ${name})
+  target_include_directories(
+    setsquare_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                             $<INSTALL_INTERFACE:include>)
+  target_compile_features(setsquare_${name} PUBLIC cxx_std_20)
+  list(TRANSFORM arg_DEPENDS PREPEND setsquare::)
+  target_link_libraries(
+    setsquare_${name}
+    PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
+    PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
+  set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
+endfunction()
+
+# setsquare_add_test(NAME SOURCES a_test.cpp ... LAYERS matching ...)
+# One test program a layer: it links only its own layer and those below.
+function(setsquare_add_test name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LAYERS;LIBRARIES" ${ARGN})
+  add_executable(${name}_test ${arg_SOURCES})
+  list(TRANSFORM arg_LAYERS PREPEND setsquare::)
+  target_link_libraries(${name}_test PRIVATE ${arg_LAYERS} ${arg_LIBRARIES} setsquare_own_flags
+                                             setsquare_test_support GTest::gmock_main)
+  gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
+endfunction()

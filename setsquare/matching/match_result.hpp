@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+#include <string_view>
+
+#include "setsquare/core/pose2.hpp"
+
+namespace setsquare {
+
+/// What a match answers.
+enum class MatchStatus {
+  kMatched,       ///< The pose is determined by the scans and stands alone.
+  kAmbiguous,     ///< Another, different pose explains the scans almost as well.
+  kDegenerate,    ///< The scans do not determine the motion along one direction (a corridor).
+  kNoOverlap,     ///< No proposal explains enough of the scans.
+  kTooFewPoints,  ///< A scan has too few returns to say anything.
+  kRejected,      ///< The paper's threshold on the ZNCC was not reached (preset `paper` only).
+};
+
+/// The status as written into files: "matched", "ambiguous", "degenerate", "no_overlap",
+/// "too_few_points", "rejected".
+[[nodiscard]] std::string_view to_string(MatchStatus status);
+
+/// The best proposal that differs from the answer by more than the size of one basin.
+struct RunnerUp {
+  Pose2 T_reference_current;
+  double score = 0.0;
+};
+
+/// The answer of a match, with its evidence. Poses are those of the sensors: p_reference =
+/// T_reference_current * p_current.
+struct MatchResult {
+  MatchStatus status = MatchStatus::kTooFewPoints;
+  /// The best proposal whatever the status; nothing where there is none.
+  std::optional<Pose2> T_reference_current;
+  /// Inverse covariance of (x, y, theta) in the reference's frame, in 1/m^2, 1/(m rad), 1/rad^2:
+  /// symmetric, positive semi-definite, singular where the match is degenerate.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
+  double zncc_x =
+      std::numeric_limits<double>::quiet_NaN();  ///< Along the dominant direction, [-1, 1].
+  double zncc_y = std::numeric_limits<double>::quiet_NaN();  ///< Across it.
+  double score = 0.0;      ///< Agreement less the weighted contradiction; ranks proposals.
+  double agreement = 0.0;  ///< Share of the comparable returns that lie on the other's surfaces.
+  double contradiction = 0.0;  ///< Share of the returns that lie where the other scan saw through.
+  double overlap = 0.0;        ///< Share of the current returns explained by the reference.
+  std::optional<RunnerUp> runner_up;
+  /// Direction in the reference's frame along which the pose is not determined, in rad, modulo pi.
+  std::optional<double> degenerate_direction_rad;
+};
+
+}  // namespace setsquare

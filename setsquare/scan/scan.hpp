@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/core/timestamp.hpp"
+
+namespace setsquare {
+
+/// What one beam tells.
+enum class BeamOutcome {
+  kReturn,    ///< The beam hit something at its range.
+  kNoReturn,  ///< The beam met nothing within reach: free space, as far as the sensor sees.
+  kInvalid,   ///< NaN, zero, negative or too near: the beam tells nothing.
+};
+
+/// One sweep of the sensor, polar, in the sensor frame (x forward, y left).
+struct Scan {
+  Timestamp stamp;                 ///< Sensor time of the first beam.
+  double first_bearing_rad = 0.0;  ///< Bearing of beam 0.
+  double bearing_step_rad =
+      0.0;  ///< From a beam to the next; negative where the sensor turns clockwise.
+  double min_range_m = 0.0;  ///< Ranges below it are no measurements.
+  double max_range_m =
+      std::numeric_limits<double>::infinity();  ///< Ranges at or above it are no-returns.
+  std::vector<double> ranges_m;  ///< One a beam, as the sensor gave them, codes and NaN included.
+  Pose2 T_base_sensor;           ///< The sensor's mounting on the robot.
+
+  [[nodiscard]] std::size_t num_beams() const { return ranges_m.size(); }
+  [[nodiscard]] double bearing_rad(std::size_t beam) const {
+    return first_bearing_rad + static_cast<double>(beam) * bearing_step_rad;
+  }
+  /// The angle between the outermost beams, not negative.
+  [[nodiscard]] double field_of_view_rad() const;
+  /// The one place that judges a range: NaN, infinities, zero, codes above the sensor's reach.
+  [[nodiscard]] BeamOutcome outcome(std::size_t beam) const;
+  /// Throws ParameterError where the geometry is no scan's (a bearing that is not finite, a zero
+  /// step between several beams, a sweep of more than one turn, an empty interval of ranges).
+  void validate() const;
+};
+
+}  // namespace setsquare
