@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/drawing/png.hpp"
+
+#include <png.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/drawing/save_file.hpp"
+
+namespace setsquare {
+namespace {
+
+bool is_grey(const Image& image) {
+  return std::all_of(image.pixels().begin(), image.pixels().end(), [](Color pixel) {
+    return pixel.red == pixel.green && pixel.green == pixel.blue;
+  });
+}
+
+/// The pixels as libpng takes them: one byte a pixel in grey, else three.
+std::vector<std::uint8_t> bytes_of(const Image& image, bool grey) {
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(image.pixels().size() * (grey ? 1 : 3));
+  for (const Color pixel : image.pixels()) {
+    bytes.push_back(pixel.red);
+    if (grey) continue;
+    bytes.push_back(pixel.green);
+    bytes.push_back(pixel.blue);
+  }
+  return bytes;
+}
+
+}  // namespace
+
+std::string png_from_image(const Image& image) {
+  const bool grey = is_grey(image);
+  const std::vector<std::uint8_t> bytes = bytes_of(image, grey);
+  png_image header = {};
+  header.version = PNG_IMAGE_VERSION;
+  header.width = static_cast<png_uint_32>(image.width_px());
+  header.height = static_cast<png_uint_32>(image.height_px());
+  header.format = grey ? PNG_FORMAT_GRAY : PNG_FORMAT_RGB;
+  header.flags = PNG_IMAGE_FLAG_FAST;
+  png_alloc_size_t num_bytes = PNG_IMAGE_PNG_SIZE_MAX(header);
+  std::string file(num_bytes, '\0');
+  if (png_image_write_to_memory(&header, file.data(), &num_bytes, 0, bytes.data(), 0, nullptr) ==
+      0) {
+    throw Error(std::string("PNG encoding failed: ") + header.message);
+  }
+  file.resize(num_bytes);
+  return file;
+}
+
+void save_png(const Image& image, const std::string& path) {
+  save_file(path, png_from_image(image));
+}
+
+}  // namespace setsquare

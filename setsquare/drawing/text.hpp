@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+namespace setsquare {
+
+/// The pieces one after the other.
+[[nodiscard]] std::string joined(std::initializer_list<std::string_view> pieces);
+
+/// A number with this many decimals (0 to 9), a point whatever the locale; "nan" and "inf" for
+/// what is no number; never "-0.00".
+[[nodiscard]] std::string fixed(double value, int num_decimals);
+
+/// The text with the five characters that XML reserves replaced; what XML 1.0 forbids (control
+/// characters) or may misread (bytes outside ASCII) becomes a question mark.
+[[nodiscard]] std::string escape_xml(std::string_view text);
+
+}  // namespace setsquare
