@@ -1,0 +1,37 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+
+# Installs the layers as a package: find_package(setsquare) gives setsquare::core, setsquare::scan,
+# setsquare::matching ...; find_package(setsquare COMPONENTS matching) demands no more of the
+# machine than those layers need. Headers keep their path below include/setsquare.
+include(CMakePackageConfigHelpers)
+include(GNUInstallDirs)
+
+get_property(setsquare_layers GLOBAL PROPERTY SETSQUARE_LAYERS)
+install(
+  TARGETS ${setsquare_layers}
+  EXPORT setsquare-targets
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
+install(
+  DIRECTORY "${PROJECT_SOURCE_DIR}/setsquare/"
+  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/setsquare"
+  COMPONENT library
+  FILES_MATCHING
+  PATTERN "*.hpp")
+
+set(setsquare_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/setsquare")
+install(
+  EXPORT setsquare-targets
+  NAMESPACE setsquare::
+  DESTINATION "${setsquare_package_dir}"
+  COMPONENT library)
+configure_package_config_file(
+  "${PROJECT_SOURCE_DIR}/cmake/setsquare-config.cmake.in"
+  "${PROJECT_BINARY_DIR}/setsquare-config.cmake" INSTALL_DESTINATION "${setsquare_package_dir}")
+write_basic_package_version_file("${PROJECT_BINARY_DIR}/setsquare-config-version.cmake"
+                                 COMPATIBILITY SameMinorVersion)
+install(
+  FILES "${PROJECT_BINARY_DIR}/setsquare-config.cmake"
+        "${PROJECT_BINARY_DIR}/setsquare-config-version.cmake"
+  DESTINATION "${setsquare_package_dir}"
+  COMPONENT library)
