@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/grid/scan_insertion.hpp"
+#include "setsquare/scan/scan.hpp"
+
+namespace setsquare {
+
+/// A scan where it was taken. The scan is the caller's and must outlive this.
+struct PlacedScan {
+  const Scan* scan = nullptr;
+  Pose2 T_map_sensor;
+};
+
+struct GridFromScansParams {
+  double resolution_m = 0.05;    ///< Side of a cell; doubled until max_num_cells suffices.
+  double min_spacing_m = 0.1;    ///< A scan nearer to the last one inserted, and ...
+  double min_turn_rad = 0.0873;  ///< ... turned less (5 degrees), adds nothing and is left out.
+  double margin_m = 0.5;         ///< Unknown border around everything seen.
+  double max_num_cells = 1e8;
+  ScanInsertionParams insertion;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// A grid that holds all that the scans saw. Its rows run along the direction `grid_heading_rad`
+/// of the map frame. The scans are inserted in their order.
+[[nodiscard]] OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,
+                                            double grid_heading_rad = 0.0,
+                                            const GridFromScansParams& params = {});
+
+}  // namespace setsquare

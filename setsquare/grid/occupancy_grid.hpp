@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+
+namespace setsquare {
+
+/// A cell of a grid: column along the grid's x, row along its y, from the lower left corner.
+struct CellIndex {
+  std::int32_t column = 0;
+  std::int32_t row = 0;
+
+  auto operator<=>(const CellIndex&) const = default;
+};
+
+/// What a cell is known to be.
+enum class CellState { kUnknown, kFree, kOccupied };
+
+/// Log-odds occupancy of square cells. The grid has a frame of its own, whose origin is the lower
+/// left corner of cell (0, 0) and whose axes run along rows and columns: a grid may lie askew in
+/// the map, for example along a building's walls.
+class OccupancyGrid {
+ public:
+  /// `T_map_grid` is the pose of the lower left corner. Throws ParameterError where the resolution
+  /// or a number of cells is not positive, or there would be more than kMaxCells.
+  OccupancyGrid(const Pose2& T_map_grid,
+                double resolution_m,
+                std::int32_t num_columns,
+                std::int32_t num_rows);
+
+  static constexpr std::int64_t kMaxCells = 400'000'000;
+
+  [[nodiscard]] const Pose2& T_map_grid() const { return T_map_grid_; }
+  [[nodiscard]] double resolution_m() const { return resolution_m_; }
+  [[nodiscard]] std::int32_t num_columns() const { return num_columns_; }
+  [[nodiscard]] std::int32_t num_rows() const { return num_rows_; }
+  [[nodiscard]] bool contains(CellIndex cell) const {
+    return cell.column >= 0 && cell.row >= 0 && cell.column < num_columns_ && cell.row < num_rows_;
+  }
+
+  /// Logarithm of the odds that a cell is occupied; 0 where nothing is known.
+  [[nodiscard]] float log_odds(CellIndex cell) const { return log_odds_[index(cell)]; }
+  /// Probability that a cell is occupied, 0.5 where nothing is known.
+  [[nodiscard]] double probability(CellIndex cell) const;
+  /// Occupied above a probability of 0.5, free below it, unknown where it is exactly that.
+  [[nodiscard]] CellState state(CellIndex cell) const {
+    const float value = log_odds(cell);
+    return value > 0.0F   ? CellState::kOccupied
+           : value < 0.0F ? CellState::kFree
+                          : CellState::kUnknown;
+  }
+
+  /// Position of a cell in `values`: row by row from the lowest.
+  [[nodiscard]] std::size_t index(CellIndex cell) const {
+    return static_cast<std::size_t>(cell.row) * static_cast<std::size_t>(num_columns_) +
+           static_cast<std::size_t>(cell.column);
+  }
+  [[nodiscard]] const std::vector<float>& values() const { return log_odds_; }
+  [[nodiscard]] std::vector<float>& values() { return log_odds_; }
+
+ private:
+  Pose2 T_map_grid_;
+  double resolution_m_;
+  std::int32_t num_columns_;
+  std::int32_t num_rows_;
+  std::vector<float> log_odds_;
+};
+
+}  // namespace setsquare
