@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+
+#include "setsquare/matching/dominant_direction.hpp"
+#include "setsquare/matching/profile_correlation.hpp"
+
+namespace setsquare {
+
+/// The constants of the paper (bando2014, sections 4.2, 4.3.2 and 5.1), its values as defaults.
+struct PaperParams {
+  double min_spacing_m = 0.08;                    ///< Thinning, section 4.2.
+  double bin_width_m = 0.04;                      ///< Delta rho, section 4.3.2.
+  double max_distance_m = 10.0;                   ///< d_max, section 4.3.2.
+  double direction_step_rad = rad_from_deg(0.1);  ///< Of theta in Algorithm 2.
+  /// Reading of eq. (7); docs/method.md tells why this one.
+  DirectionMoment moment = DirectionMoment::kNeighbourDifferences;
+  double max_shift_m = 2.5;         ///< lambda_max, section 5.1.
+  double shift_step_m = 0.005;      ///< Delta lambda, section 5.1.
+  double min_zncc_product = 0.25;   ///< Of both axes; success lies above it.
+  std::int32_t min_num_points = 2;  ///< Thinned points below which there is nothing to match.
+
+  [[nodiscard]] ProfileBins bins() const { return {bin_width_m, max_distance_m}; }
+  [[nodiscard]] DominantDirectionParams direction() const {
+    return {bins(), direction_step_rad, moment};
+  }
+  [[nodiscard]] ShiftSearch shifts() const { return {max_shift_m, shift_step_m}; }
+
+  /// Throws ParameterError where a field is outside its domain.
+  void validate() const;
+};
+
+}  // namespace setsquare
