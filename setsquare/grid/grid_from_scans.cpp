@@ -13,13 +13,20 @@
 namespace setsquare {
 namespace {
 
-/// The scans that moved since the last one kept; without end poses that are no numbers.
+constexpr double kFarthest_m = 1e6;  // a pose beyond is no place in a building
+
+bool is_usable(const Pose2& pose) {
+  return std::abs(pose.x_m) < kFarthest_m && std::abs(pose.y_m) < kFarthest_m &&
+         std::isfinite(pose.theta_rad);
+}
+
+/// The scans that moved since the last one kept, without those at no usable place.
 std::vector<PlacedScan> spaced(std::span<const PlacedScan> scans,
                                const GridFromScansParams& params) {
   std::vector<PlacedScan> kept;
   for (const PlacedScan& placed : scans) {
     const Pose2& pose = placed.T_map_sensor;
-    if (!std::isfinite(pose.x_m + pose.y_m + pose.theta_rad)) continue;
+    if (!is_usable(pose)) continue;
     if (!kept.empty()) {
       const Pose2 motion = kept.back().T_map_sensor.inverse() * pose;
       if (motion.translation().norm() < params.min_spacing_m &&

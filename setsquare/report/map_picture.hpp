@@ -3,11 +3,9 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/drawing/image.hpp"
-#include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 
 namespace setsquare {
@@ -29,11 +27,6 @@ struct MapPictureParams {
   /// Throws ParameterError that names the field.
   void validate() const;
 };
-
-/// The direction of the building's walls in the map frame, in [-pi/4, pi/4), from all the scans
-/// together: grid_from_scans with this heading gives a grid whose rows run along the walls. 0 where
-/// the scans show no walls.
-[[nodiscard]] double building_heading_rad(std::span<const PlacedScan> scans);
 
 /// A map for people: walls, free space, the robot's path with its start and end, a scale bar. The
 /// picture's rows are the grid's rows, so a grid along the walls gives upright walls.
