@@ -19,7 +19,7 @@ class CarmenLog final : public RecordStream {
   bool read(LogRecord& record) override;
   double mounting_rounding() const override { return state_.pose_rounding; }
   std::string format() const override { return "CARMEN log"; }
-  std::optional<double> fraction_read() const override { return input_->source().fraction_read(); }
+  const ByteSource& source() const override { return input_->source(); }
 
  private:
   std::unique_ptr<InputBuffer> input_;

@@ -16,107 +16,6 @@ namespace {
 
 constexpr std::string_view kBadPose = "sensor pose of an unknown kind";
 
-bool is_class_name(std::string_view name) {
-  const auto is_allowed = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == ':';
-  };
-  return (name.starts_with('C') || name.starts_with("mrpt::")) &&
-         std::all_of(name.begin(), name.end(), is_allowed);
-}
-
-/// The header of a part of an object, which must be of this class.
-std::optional<MrptHeader> read_part_header(ByteCursor& bytes, std::string_view class_name) {
-  const auto header = read_mrpt_header(bytes);
-  if (!header || header->class_name != class_name) return std::nullopt;
-  return header;
-}
-
-/// CMatrix (of float) or CMatrixD: rows, columns, values row by row.
-template <typename Value>
-bool read_matrix(ByteCursor& bytes, std::array<double, 16>* values_4x4) {
-  const auto header = read_mrpt_header(bytes);
-  if (!header || !header->class_name.starts_with("CMatrix") || header->version != 0) return false;
-  const auto num_rows = bytes.read<std::uint32_t>();
-  const auto num_columns = bytes.read<std::uint32_t>();
-  constexpr std::uint32_t kMaxSide = 16;
-  if (num_rows > kMaxSide || num_columns > kMaxSide) return false;
-  if (values_4x4 == nullptr) {
-    bytes.skip(sizeof(Value) * num_rows * num_columns);
-  } else {
-    if (num_rows != 4 || num_columns != 4) return false;
-    for (double& value : *values_4x4) value = static_cast<double>(bytes.read<Value>());
-  }
-  return read_mrpt_end(bytes, *header);
-}
-
-/// A pose in space: position and rotation matrix, row by row.
-struct Pose3 {
-  std::array<double, 3> position_m{};
-  std::array<double, 9> rotation{};
-};
-
-Pose3 pose3_from_matrix(const std::array<double, 16>& m) {
-  return {{m[3], m[7], m[11]}, {m[0], m[1], m[2], m[4], m[5], m[6], m[8], m[9], m[10]}};
-}
-
-/// Position and quaternion (w x y z).
-Pose3 read_position_and_quaternion(ByteCursor& bytes) {
-  Pose3 pose;
-  for (double& coordinate : pose.position_m) coordinate = bytes.read<double>();
-  const auto w = bytes.read<double>();
-  const auto x = bytes.read<double>();
-  const auto y = bytes.read<double>();
-  const auto z = bytes.read<double>();
-  pose.rotation = {w * w + x * x - y * y - z * z,
-                   2.0 * (x * y - w * z),
-                   2.0 * (x * z + w * y),
-                   2.0 * (x * y + w * z),
-                   w * w - x * x + y * y - z * z,
-                   2.0 * (y * z - w * x),
-                   2.0 * (x * z - w * y),
-                   2.0 * (y * z + w * x),
-                   w * w - x * x - y * y + z * z};
-  return pose;
-}
-
-/// CPose3D, versions 0 to 3.
-std::optional<Pose3> read_pose3(ByteCursor& bytes) {
-  const auto header = read_part_header(bytes, "CPose3D");
-  if (!header) return std::nullopt;
-  Pose3 pose;
-  std::array<double, 16> matrix{};
-  if (header->version == 0) {
-    if (!read_matrix<float>(bytes, &matrix)) return std::nullopt;
-    pose = pose3_from_matrix(matrix);
-  } else if (header->version == 1) {
-    if (!read_matrix<double>(bytes, &matrix)) return std::nullopt;
-    pose = pose3_from_matrix(matrix);
-  } else if (header->version == 2) {
-    pose = read_position_and_quaternion(bytes);
-  } else if (header->version == 3) {
-    for (double& coordinate : pose.position_m) coordinate = bytes.read<double>();
-    for (double& element : pose.rotation) element = bytes.read<double>();
-  } else {
-    return std::nullopt;
-  }
-  if (!read_mrpt_end(bytes, *header)) return std::nullopt;
-  return pose;
-}
-
-/// CPose2D: version 0 in float, version 1 in double.
-std::optional<Pose2> read_pose2(ByteCursor& bytes) {
-  const auto header = read_part_header(bytes, "CPose2D");
-  if (!header || header->version > 1) return std::nullopt;
-  std::array<double, 3> values{};
-  for (double& value : values) {
-    value = header->version == 0 ? static_cast<double>(bytes.read<float>()) : bytes.read<double>();
-    if (!std::isfinite(value)) return std::nullopt;
-  }
-  if (!read_mrpt_end(bytes, *header)) return std::nullopt;
-  return Pose2{values[0], values[1], values[2]};
-}
-
 /// 100 ns ticks since 1601 (UTC) to the Unix epoch's nanoseconds; 0 means "no stamp".
 std::optional<Timestamp> read_stamp(ByteCursor& bytes) {
   constexpr std::int64_t kTicksTo1970 = 116'444'736'000'000'000;
@@ -149,7 +48,7 @@ void set_bearings(Scan& scan, double aperture_rad, bool is_right_to_left) {
 }
 
 /// The sensor's pose on the robot seen from above; false where the scanner is not level.
-bool set_mounting(Scan& scan, const Pose3& sensor_pose) {
+bool set_mounting(Scan& scan, const MrptPose3& sensor_pose) {
   constexpr double kMinVerticality = 0.94;  // cos(20 degrees)
   const double verticality = sensor_pose.rotation[8];
   if (!(std::abs(verticality) >= kMinVerticality)) return false;
@@ -205,28 +104,6 @@ bool read_scan_end(ByteCursor& bytes, int version, LogRecord& record) {
 
 }  // namespace
 
-std::optional<MrptHeader> read_mrpt_header(ByteCursor& bytes) {
-  constexpr std::uint8_t kNewFormat = 0x80;
-  constexpr std::size_t kMaxNameBytes = 120;
-  const auto length = bytes.read<std::uint8_t>();
-  MrptHeader header;
-  header.has_end_flag = (length & kNewFormat) != 0;
-  if (!header.has_end_flag && bytes.take(3) != std::string_view("\0\0\0", 3)) return std::nullopt;
-  const std::size_t num_name_bytes = length & 0x7fU;
-  if (num_name_bytes == 0 || num_name_bytes > kMaxNameBytes) return std::nullopt;
-  header.class_name = bytes.take(num_name_bytes);
-  if (!is_class_name(header.class_name)) return std::nullopt;
-  const std::size_t space = header.class_name.rfind(':');
-  if (space != std::string_view::npos) header.class_name.remove_prefix(space + 1);
-  header.version = header.has_end_flag ? bytes.read<std::uint8_t>() : bytes.read<std::int32_t>();
-  if (bytes.is_short()) return std::nullopt;
-  return header;
-}
-
-bool read_mrpt_end(ByteCursor& bytes, const MrptHeader& header) {
-  return !header.has_end_flag || bytes.read<std::uint8_t>() == kMrptEndFlag;
-}
-
 std::string_view read_mrpt_scan(ByteCursor& bytes, int version, LogRecord& record) {
   if (version < 0 || version > 7) return "version not known";
   Scan& scan = record.scan;
@@ -235,10 +112,10 @@ std::string_view read_mrpt_scan(ByteCursor& bytes, int version, LogRecord& recor
   const bool is_right_to_left = bytes.read_flag();
   scan.min_range_m = 0.0;
   scan.max_range_m = static_cast<double>(bytes.read<float>());
-  const auto sensor_pose = read_pose3(bytes);
+  const auto sensor_pose = read_mrpt_pose3(bytes);
   if (!sensor_pose) return kBadPose;
   const bool has_pose_covariance = version < 6;
-  if (has_pose_covariance && !read_matrix<float>(bytes, nullptr)) return kBadPose;
+  if (has_pose_covariance && !skip_mrpt_matrix(bytes)) return kBadPose;
   if (!read_ranges(bytes, version, scan)) return "number of beams out of bounds";
   if (!read_scan_end(bytes, version, record)) return "stamp or label out of bounds";
   set_bearings(scan, aperture_rad, is_right_to_left);
@@ -254,7 +131,7 @@ std::string_view read_mrpt_scan(ByteCursor& bytes, int version, LogRecord& recor
 std::string_view read_mrpt_odometry(ByteCursor& bytes, int version, LogRecord& record) {
   if (version < 0 || version > 2) return "version not known";
   record.kind = RecordKind::kOdometry;
-  record.T_odom_base = read_pose2(bytes);
+  record.T_odom_base = read_mrpt_pose2(bytes);
   if (!record.T_odom_base) return "pose of an unknown kind";
   if (!read_label(bytes, record.sensor)) return "label out of bounds";
   if (record.sensor.empty()) record.sensor = "odometry";
@@ -284,15 +161,17 @@ std::string_view read_mrpt_movement(ByteCursor& bytes, int version, MrptMovement
   if (version < 2 || version > 7) return "version not known";
   constexpr std::int32_t kByOdometry = 0;
   if (bytes.read<std::int32_t>() != kByOdometry) return "a motion that is not odometry's";
-  const auto increment = read_pose2(bytes);
+  const auto increment = read_mrpt_pose2(bytes);
   if (!increment) return "pose of an unknown kind";
   movement.T_before_after = *increment;
   // The motion model's options: their size in bytes, by version.
   constexpr std::array<std::size_t, 6> kModelBytes = {44, 44, 48, 56, 56, 56};
   bytes.skip(kModelBytes[static_cast<std::size_t>(version - 2)]);
-  bytes.skip(sizeof(std::uint8_t));  // whether it has velocities
-  bytes.skip(version >= 7 ? 3 * sizeof(double) : 2 * sizeof(float));
-  bytes.skip(sizeof(std::uint8_t) + 2 * sizeof(std::int32_t));  // encoders
+  const bool has_velocities = bytes.read_flag();
+  if (version < 7) bytes.skip(2 * sizeof(float));
+  if (version >= 7 && has_velocities) bytes.skip(3 * sizeof(double));
+  const bool has_encoders = bytes.read_flag();
+  if (version < 7 || has_encoders) bytes.skip(2 * sizeof(std::int32_t));
   movement.stamp = {};
   if (version >= 6) {
     const auto stamp = read_stamp(bytes);

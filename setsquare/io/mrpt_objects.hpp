@@ -2,31 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <string_view>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/io/byte_cursor.hpp"
 #include "setsquare/io/log_record.hpp"
+#include "setsquare/io/mrpt_poses.hpp"
 
 namespace setsquare {
-
-/// What stands before every serialised MRPT object: class name and version.
-struct MrptHeader {
-  std::string_view class_name;  ///< Without namespaces; points into the bytes read.
-  int version = 0;
-  bool has_end_flag = true;  ///< Not before MRPT 0.5.5.
-};
-
-/// Closes every object since MRPT 0.5.5.
-inline constexpr std::uint8_t kMrptEndFlag = 0x88;
-
-/// Reads an object's header; nothing where the bytes are none.
-[[nodiscard]] std::optional<MrptHeader> read_mrpt_header(ByteCursor& bytes);
-
-/// Reads the end flag of an object with this header; false where it is missing.
-[[nodiscard]] bool read_mrpt_end(ByteCursor& bytes, const MrptHeader& header);
 
 // Each of the following reads the body of an object behind its header, end flag excluded. The
 // result is empty, or static text that says why the object cannot be read. Whether the block was

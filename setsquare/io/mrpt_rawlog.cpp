@@ -60,6 +60,7 @@ MrptRawlog::Attempt MrptRawlog::attempt_container(ByteCursor& bytes, const MrptH
 }
 
 void MrptRawlog::add_movement(const MrptMovement& movement, LogRecord& record) {
+  if (!T_odom_base_) is_odometry_summed_ = true;
   T_odom_base_ = T_odom_base_.value_or(Pose2{}) * movement.T_before_after;
   record.kind = RecordKind::kOdometry;
   record.sensor = "odometry";
@@ -95,6 +96,7 @@ MrptRawlog::Attempt MrptRawlog::attempt_body(ByteCursor& bytes,
   } else {
     record.T_odom_base = T_odom_base_;
   }
+  if (record.kind != RecordKind::kScan) record.scan.ranges_m.clear();
   const bool is_record = record.kind == RecordKind::kScan || !scans_only_;
   return {.num_bytes = bytes.position(), .is_record = is_record};
 }

@@ -31,8 +31,9 @@ class MrptRawlog final : public RecordStream {
 
   bool read(LogRecord& record) override;
   double mounting_rounding() const override { return 0.0; }
+  bool is_odometry_summed() const override { return is_odometry_summed_; }
   std::string format() const override { return "MRPT rawlog"; }
-  std::optional<double> fraction_read() const override { return input_->source().fraction_read(); }
+  const ByteSource& source() const override { return input_->source(); }
 
  private:
   enum class Step { kRecord, kOther, kEnd };
@@ -60,6 +61,7 @@ class MrptRawlog final : public RecordStream {
   bool may_stray_flags_follow_ = false;  ///< Of containers lost when resynchronising.
   bool is_damage_told_ = false;
   std::optional<Pose2> T_odom_base_;
+  bool is_odometry_summed_ = false;
 };
 
 }  // namespace setsquare

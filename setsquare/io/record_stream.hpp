@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
+#include "setsquare/io/byte_source.hpp"
 #include "setsquare/io/log_problems.hpp"
 #include "setsquare/io/log_record.hpp"
 
@@ -25,8 +25,12 @@ class RecordStream {
   /// the log states the mounting itself.
   [[nodiscard]] virtual double mounting_rounding() const = 0;
 
+  /// Whether odometry is summed up from increments, so that it began at the identity with the
+  /// first scan.
+  [[nodiscard]] virtual bool is_odometry_summed() const { return false; }
+
   [[nodiscard]] virtual std::string format() const = 0;
-  [[nodiscard]] virtual std::optional<double> fraction_read() const = 0;
+  [[nodiscard]] virtual const ByteSource& source() const = 0;
 
   [[nodiscard]] const LogProblems& problems() const { return problems_; }
   [[nodiscard]] LogProblems& problems() { return problems_; }

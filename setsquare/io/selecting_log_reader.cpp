@@ -43,6 +43,10 @@ void SelectingLogReader::read_head() {
     }
     head_.push_back(record);
   }
+  for (LogRecord& early : head_) {
+    const bool is_before_first_motion = stream_->is_odometry_summed() && !early.T_odom_base;
+    if (is_before_first_motion) early.T_odom_base = Pose2{};
+  }
   settle_mountings(measured, rounding);
   for (const auto& [sensor, mounting] : mountings_) {
     const bool is_first = front_sensor_.empty();
@@ -95,6 +99,11 @@ void SelectingLogReader::apply_mounting(LogRecord& record) {
 }
 
 const LogRecord* SelectingLogReader::finish() {
+  const std::string gzip_damage = stream_->source().damage();
+  if (!is_end_told_ && !gzip_damage.empty()) {
+    stream_->problems().remarks.push_back(gzip_damage + "; the log was read up to there");
+  }
+  is_end_told_ = true;
   const bool is_one_wanted = !options_.sensor.empty() && options_.sensor != "all";
   if (num_scans_handed_on_ > 0) return nullptr;
   std::string reason =

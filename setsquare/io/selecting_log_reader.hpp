@@ -25,7 +25,7 @@ class SelectingLogReader final : public LogReader {
   const LogProblems& problems() const override { return stream_->problems(); }
   std::string front_sensor() const override { return front_sensor_; }
   std::string format() const override { return stream_->format(); }
-  std::optional<double> fraction_read() const override { return stream_->fraction_read(); }
+  std::optional<double> fraction_read() const override { return stream_->source().fraction_read(); }
 
  private:
   struct Mounting {
@@ -46,6 +46,7 @@ class SelectingLogReader final : public LogReader {
   std::string name_;
   LogOptions options_;
   bool is_head_read_ = false;
+  bool is_end_told_ = false;
   std::deque<LogRecord> head_;
   LogRecord current_;
   std::map<std::string, Mounting> mountings_;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/drawing/save_file.hpp"
+#include "setsquare/core/save_file.hpp"
 
 #include <cerrno>
 #include <cstring>
