@@ -36,7 +36,7 @@ struct RunnerUp {
 struct MatchResult {
   MatchStatus status = MatchStatus::kTooFewPoints;
   /// The best proposal whatever the status; nothing where there is none.
-  std::optional<Pose2> T_reference_current;
+  std::optional<Pose2> T_reference_current = std::nullopt;
   /// Inverse covariance of (x, y, theta) in the reference's frame, in 1/m^2, 1/(m rad), 1/rad^2:
   /// symmetric, positive semi-definite, singular where the match is degenerate.
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
@@ -47,9 +47,9 @@ struct MatchResult {
   double agreement = 0.0;  ///< Share of the comparable returns that lie on the other's surfaces.
   double contradiction = 0.0;  ///< Share of the returns that lie where the other scan saw through.
   double overlap = 0.0;        ///< Share of the current returns explained by the reference.
-  std::optional<RunnerUp> runner_up;
+  std::optional<RunnerUp> runner_up = std::nullopt;
   /// Direction in the reference's frame along which the pose is not determined, in rad, modulo pi.
-  std::optional<double> degenerate_direction_rad;
+  std::optional<double> degenerate_direction_rad = std::nullopt;
 };
 
 }  // namespace setsquare

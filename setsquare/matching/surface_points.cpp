@@ -47,7 +47,9 @@ LineFit fit_line(const Moments& m) {
 }
 
 double distance(const SurfacePoints& points, std::size_t i, std::size_t j) {
-  return std::hypot(points.x_m[i] - points.x_m[j], points.y_m[i] - points.y_m[j]);
+  const double dx_m = points.x_m[i] - points.x_m[j];
+  const double dy_m = points.y_m[i] - points.y_m[j];
+  return std::sqrt(dx_m * dx_m + dy_m * dy_m);
 }
 
 /// The returns as points; one rotation a beam instead of a sine and a cosine.

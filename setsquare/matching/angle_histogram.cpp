@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/matching/angle_histogram.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr int kNumBins = AngleHistogram::kNumBins;
+constexpr int kSeparationBins = 4;
+
+/// Arc tangent within 0.005 rad: a hundredth of what the bins' width needs would be wasted.
+float approximate_bearing(float y, float x) {
+  const float ax = std::abs(x);
+  const float ay = std::abs(y);
+  const float ratio = std::min(ax, ay) / (std::max(ax, ay) + 1e-12F);
+  const float octant = ratio * (1.0584F - ratio * 0.273F);
+  const float quadrant = ay > ax ? 1.57079633F - octant : octant;
+  const float half = x < 0.0F ? 3.14159265F - quadrant : quadrant;
+  return y < 0.0F ? -half : half;
+}
+
+std::array<float, kNumBins> smooth(const std::array<float, kNumBins>& raw) {
+  constexpr int kReach = 2;
+  constexpr std::array<float, 2 * kReach + 1> kKernel{1.0F, 2.0F, 3.0F, 2.0F, 1.0F};
+  std::array<float, kNumBins + 2 * kReach> padded;
+  for (int i = 0; i < kNumBins + 2 * kReach; ++i) {
+    padded[i] = raw[(i - kReach + kNumBins) % kNumBins];
+  }
+  std::array<float, kNumBins> smoothed{};
+  for (int k = 0; k <= 2 * kReach; ++k) {
+    for (int i = 0; i < kNumBins; ++i) smoothed[i] += kKernel[k] * padded[i + k];
+  }
+  return smoothed;
+}
+
+float dot(const float* a, const float* b) {
+  // Eight partial sums: the compiler may use them as lanes, the order of the sum stays fixed.
+  std::array<float, 8> lanes{};
+  for (int i = 0; i < kNumBins; i += 8) {
+    for (int lane = 0; lane < 8; ++lane) lanes[lane] += a[i + lane] * b[i + lane];
+  }
+  return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) +
+         ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
+}
+
+}  // namespace
+
+AngleHistogram angle_histogram(const SurfacePoints& points) {
+  std::array<float, kNumBins> raw{};
+  constexpr float kBinsPerRad = kNumBins / static_cast<float>(kTwoPi);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (points.normal_x[i] == 0.0F && points.normal_y[i] == 0.0F) continue;
+    const float bearing_rad = approximate_bearing(points.normal_y[i], points.normal_x[i]);
+    const int bin = static_cast<int>((bearing_rad + static_cast<float>(kPi)) * kBinsPerRad);
+    raw[std::clamp(bin, 0, kNumBins - 1)] += points.weight_m[i];
+  }
+  return {smooth(raw)};
+}
+
+std::vector<RotationProposal> propose_rotations(const AngleHistogram& reference,
+                                                const AngleHistogram& current,
+                                                std::size_t max_proposals) {
+  // correlation[lag]: the current's bin i lies on the reference's bin i + lag.
+  std::array<float, 2 * kNumBins> reference_twice;
+  std::copy(reference.length_m.begin(), reference.length_m.end(), reference_twice.begin());
+  std::copy(
+      reference.length_m.begin(), reference.length_m.end(), reference_twice.begin() + kNumBins);
+  std::array<float, kNumBins> correlation;
+  for (int lag = 0; lag < kNumBins; ++lag) {
+    correlation[lag] = dot(reference_twice.data() + lag, current.length_m.data());
+  }
+  const double energy =
+      std::sqrt(static_cast<double>(dot(reference.length_m.data(), reference.length_m.data())) *
+                dot(current.length_m.data(), current.length_m.data()));
+  std::vector<RotationProposal> proposals;
+  if (!(energy > 0.0)) return proposals;
+  const auto at = [&](int lag) { return correlation[(lag + kNumBins) % kNumBins]; };
+  for (int lag = 0; lag < kNumBins; ++lag) {
+    bool is_peak = at(lag) > 0.0F;
+    for (int k = 1; k <= kSeparationBins && is_peak; ++k) {
+      is_peak = at(lag) >= at(lag - k) && at(lag) > at(lag + k);
+    }
+    if (!is_peak) continue;
+    const double curvature = at(lag - 1) - 2.0 * at(lag) + at(lag + 1);
+    const double shift = curvature < 0.0 ? 0.5 * (at(lag - 1) - at(lag + 1)) / curvature : 0.0;
+    proposals.push_back({wrap_to_pi((lag + shift) * kTwoPi / kNumBins), at(lag) / energy});
+  }
+  std::sort(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
+    return a.correlation > b.correlation;
+  });
+  if (proposals.size() > max_proposals) proposals.resize(max_proposals);
+  return proposals;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "setsquare/matching/surface_points.hpp"
+
+namespace setsquare {
+
+/// Length of wall by the direction that it faces: 360 bins of one degree of the walls' normals.
+/// Walls face the sensor, so opposite walls fall into opposite bins and a half turn shows.
+struct AngleHistogram {
+  static constexpr int kNumBins = 360;
+  std::array<float, kNumBins> length_m{};  ///< Smoothed over a few bins.
+};
+
+[[nodiscard]] AngleHistogram angle_histogram(const SurfacePoints& points);
+
+/// A rotation that lays the current scan's walls on the reference's.
+struct RotationProposal {
+  double rotation_rad = 0.0;  ///< Of T_reference_current, in [-pi, pi).
+  double correlation = 0.0;   ///< Normalised: 1 for equal histograms.
+};
+
+/// The highest separated peaks of the histograms' circular correlation, best first: the rotations
+/// under which the walls of the two scans face the same ways (as in Hough scan matching, where the
+/// spectra of the two scans are correlated).
+[[nodiscard]] std::vector<RotationProposal> propose_rotations(const AngleHistogram& reference,
+                                                              const AngleHistogram& current,
+                                                              std::size_t max_proposals);
+
+}  // namespace setsquare

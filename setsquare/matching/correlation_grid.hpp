@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/surface_image.hpp"
+#include "setsquare/matching/surface_points.hpp"
+#include "setsquare/matching/surface_samples.hpp"
+
+namespace setsquare {
+
+/// A translation at a given rotation, with its correlation.
+struct TranslationProposal {
+  Pose2 T_reference_current;
+  int correlation = 0;  ///< Sum of the cell values under the current scan's samples.
+};
+
+/// The reference scan as a small grid of bytes: surfaces positive, free space negative, unknown
+/// zero. One rotation of the current scan is correlated with it under every translation of the
+/// window at once: a sample adds a shifted row, sixteen translations an instruction. It replaces
+/// the paper's two 1-D correlations, whose best peaks need not belong together, at the same cost.
+class CorrelationGrid {
+ public:
+  static constexpr double kCell_m = 0.2;
+  static constexpr int kHalfWindowCells = 31;  ///< Translations up to 6.2 m along each axis.
+  static constexpr int kHalfExtentCells = 64;  ///< Surfaces up to 12.8 m from the sensor.
+  static constexpr int kMaxSamples = 60;       ///< Keeps the sums within a byte.
+
+  CorrelationGrid(const SurfacePoints& points, const SurfaceImage& image);
+
+  /// Appends the local maxima over the window at one rotation that reach `min_correlation`.
+  void propose_translations(const SurfaceSamples& current,
+                            double rotation_rad,
+                            int min_correlation,
+                            std::vector<TranslationProposal>& proposals) const;
+
+ private:
+  static constexpr int kWindow = 2 * kHalfWindowCells + 2;  // 64: whole vectors
+  static constexpr int kMargin = kHalfWindowCells + 1;
+  static constexpr int kSide = 2 * (kHalfExtentCells + 2 * kMargin);
+  static constexpr int kCentre = kSide / 2;
+
+  /// The cell under each sample at the window's first translation.
+  struct Rows {
+    std::array<const std::uint8_t*, kMaxSamples> first;
+    std::size_t count = 0;
+  };
+  using RowSum = std::array<std::uint8_t, kWindow>;
+
+  [[nodiscard]] Rows rows_of(const SurfaceSamples& current, double rotation_rad) const;
+  [[nodiscard]] static RowSum sum_rows(const Rows& rows, int offset);
+  void draw_free_space(const SurfaceImage& image);
+  void draw_surfaces(const SurfacePoints& points);
+
+  std::vector<std::uint8_t> cells_;
+};
+
+}  // namespace setsquare

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/matching/match_params.hpp"
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+namespace {
+
+void require(bool holds, const char* name, const char* reason) {
+  if (!holds) throw ParameterError(name, reason);
+}
+
+void validate_search(const SearchParams& search) {
+  require(search.num_rotations > 0, "num_rotations", "must be positive");
+  require(search.num_fine > 0, "num_fine", "must be positive");
+  require(search.num_coarse >= search.num_fine, "num_coarse", "must not be below num_fine");
+}
+
+}  // namespace
+
+void MatchParams::validate() const {
+  surface.validate();
+  require(score.tolerance_m > 0.0, "tolerance_m", "must be positive");
+  require(score.contradiction_weight >= 0.0, "contradiction_weight", "must not be negative");
+  require(score.hidden_weight >= 0.0, "hidden_weight", "must not be negative");
+  require(answer.min_margin >= 0.0, "min_margin", "must not be negative");
+  require(answer.min_constraint_m >= 0.0, "min_constraint_m", "must not be negative");
+  require(answer.same_translation_m > 0.0, "same_translation_m", "must be positive");
+  require(answer.same_rotation_rad > 0.0, "same_rotation_rad", "must be positive");
+  validate_search(quick);
+  validate_search(thorough);
+}
+
+}  // namespace setsquare

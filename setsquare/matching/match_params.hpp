@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "setsquare/matching/surface_points.hpp"
+
+namespace setsquare {
+
+/// How proposals are searched: `num_rotations` of them, the best `num_coarse` refined with a few
+/// samples, the best `num_fine` of those with all.
+struct SearchParams {
+  std::size_t num_rotations = 8;
+  std::size_t num_coarse = 16;
+  std::size_t num_fine = 4;
+};
+
+/// When an answer stands. Lengths are of wall, seen from either scan.
+struct AnswerParams {
+  std::size_t min_points = 10;    ///< Returns that a scan must have at least.
+  double min_score = 0.24;        ///< Below it nothing is claimed.
+  double min_margin = 0.05;       ///< Score above the best different pose.
+  double min_constraint_m = 0.4;  ///< Wall that must hold the weakest direction of the pose.
+  double min_agreement = 0.10;    ///< Below it the scans do not overlap.
+  double same_translation_m =
+      0.30;  ///< Poses nearer than this and `same_rotation_rad` are one answer.
+  double same_rotation_rad = 0.10;
+};
+
+/// Weights of the score, from agreeing, contradicted and hidden shares of the compared wall.
+struct ScoreParams {
+  double tolerance_m = 0.20;          ///< Farther from a surface nothing agrees.
+  double contradiction_weight = 2.0;  ///< A return where the other scan saw through.
+  double hidden_weight = 0.3;         ///< A return behind the other scan's surface.
+};
+
+/// Parameters of the default matcher. Every field has a default that serves every sensor and log.
+struct MatchParams {
+  SurfaceParams surface;
+  ScoreParams score;
+  AnswerParams answer;
+  SearchParams quick;  ///< Rotations from the walls' directions.
+  /// Every rotation of the circle: where the quick search finds nothing that stands.
+  SearchParams thorough{.num_rotations = 120, .num_coarse = 600, .num_fine = 40};
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+}  // namespace setsquare

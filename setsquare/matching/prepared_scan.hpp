@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "setsquare/matching/alignment.hpp"
+#include "setsquare/matching/angle_histogram.hpp"
+#include "setsquare/matching/surface_image.hpp"
+#include "setsquare/matching/surface_points.hpp"
+#include "setsquare/matching/surface_samples.hpp"
+
+namespace setsquare {
+
+/// What the default matcher needs of a scan: made once, matched any number of times, never changed.
+struct PreparedScan {
+  SurfacePoints points;
+  SurfaceImage image;
+  SurfaceSamples coarse;  ///< A few dozen samples: proposals live or die on them.
+  SurfaceSamples fine;    ///< All points, or a few hundred of them.
+  AngleHistogram histogram;
+
+  [[nodiscard]] AlignedScan coarse_alignment() const { return {image, coarse}; }
+  [[nodiscard]] AlignedScan fine_alignment() const { return {image, fine}; }
+};
+
+/// Throws ParameterError where the scan's geometry is no scan's (Scan::validate).
+[[nodiscard]] PreparedScan prepare(const Scan& scan, const SurfaceParams& params = {});
+
+}  // namespace setsquare

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/matching/surface_points.hpp"
+
+namespace setsquare {
+
+/// Some of a scan's surface points, each standing for its share of the seen wall. Plain arrays in
+/// the sensor frame.
+struct SurfaceSamples {
+  std::vector<float> x_m;
+  std::vector<float> y_m;
+  std::vector<float> normal_x;  ///< Zero where no line fits.
+  std::vector<float> normal_y;
+  std::vector<float> weight_m;
+
+  [[nodiscard]] std::size_t size() const { return x_m.size(); }
+};
+
+/// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);
+/// all of them where they are no more.
+[[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples);
+
+}  // namespace setsquare
