@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/drawing/save_file.hpp"
+#include "setsquare/core/save_file.hpp"
 
 namespace setsquare {
 namespace {

@@ -15,11 +15,11 @@ namespace setsquare {
 
 /// How a shape looks; one with neither fill nor stroke is not seen.
 struct ShapeStyle {
-  std::optional<Color> fill;
-  std::optional<Color> stroke;
+  std::optional<Color> fill = std::nullopt;
+  std::optional<Color> stroke = std::nullopt;
   double stroke_width_px = 1.0;
   double opacity = 1.0;
-  std::string dashes;  ///< SVG's stroke-dasharray, such as "4 3"; empty for a solid line.
+  std::string dashes = {};  ///< SVG's stroke-dasharray, such as "4 3"; empty for a solid line.
 };
 
 struct TextStyle {

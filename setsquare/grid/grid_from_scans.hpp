@@ -23,7 +23,7 @@ struct GridFromScansParams {
   double min_turn_rad = 0.0873;  ///< ... turned less (5 degrees), adds nothing and is left out.
   double margin_m = 0.5;         ///< Unknown border around everything seen.
   double max_num_cells = 1e8;
-  ScanInsertionParams insertion;
+  ScanInsertionParams insertion = {};
 
   /// Throws ParameterError that names the field.
   void validate() const;
