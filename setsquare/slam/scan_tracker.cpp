@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/scan_tracker.hpp"
+
+#include <cmath>
+
+#include "setsquare/slam/corridor_search.hpp"
+#include "setsquare/slam/recovery.hpp"
+
+namespace setsquare {
+
+ScanTracker::ScanTracker(const ScanTrackerParams& params)
+    : params_(params), motion_(params.num_scans_averaged) {
+  params_.validate();
+}
+
+TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
+  const SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
+  TrackedPose tracked = submap_.empty() ? TrackedPose{} : place(points, T_wheels_sensor);
+  keep_if_far(scan, points, tracked);
+  motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
+  ++num_scans_;
+  return tracked;
+}
+
+TrackedPose ScanTracker::place(const SurfacePoints& points,
+                               const std::optional<Pose2>& T_wheels_sensor) {
+  const Pose2 predicted = motion_.next(T_wheels_sensor);
+  if (points.size() < params_.min_points) {
+    return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .weak = {}};
+  }
+  const TrackingProblem problem{submap_, points, predicted, marks_};
+  SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
+  TrackStatus status = TrackStatus::kTracked;
+  if (fit.alignment.score() < params_.recovery.below_score) {
+    const auto found = recover(problem, fit, motion_.last(), params_.recovery, params_.refinement);
+    if (found) fit = found->fit;
+    if (found && found->is_far) status = TrackStatus::kRecovered;
+  }
+  if (fit.alignment.score() < params_.lost_below_score) {
+    return {.status = TrackStatus::kLost,
+            .T_odom_sensor = predicted,
+            .score = fit.alignment.score(),
+            .weak = fit.weak};
+  }
+  if (fit.weak.effective_points < params_.corridor.below_effective_points) {
+    fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
+  }
+  const bool is_weak = fit.weak.effective_points < params_.refinement.min_effective_points;
+  if (is_weak && status == TrackStatus::kTracked) status = TrackStatus::kDegenerate;
+  return {.status = status,
+          .T_odom_sensor = fit.T_odom_sensor,
+          .score = fit.alignment.score(),
+          .weak = fit.weak};
+}
+
+void ScanTracker::keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked) {
+  if (!submap_.empty()) {
+    const Pose2 moved = submap_.back().T_odom_sensor.inverse() * tracked.T_odom_sensor;
+    const bool is_far = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
+                        std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+    if (!is_far) return;
+    if (submap_.size() == params_.num_keyframes) submap_.erase(submap_.begin());
+  }
+  tracked.is_keyframe = true;
+  submap_.push_back({.scan_index = num_scans_,
+                     .T_odom_sensor = tracked.T_odom_sensor,
+                     .image = SurfaceImage(scan, points, params_.image)});
+}
+
+}  // namespace setsquare

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "setsquare/scan/scan.hpp"
+#include "setsquare/slam/keyframe.hpp"
+#include "setsquare/slam/motion_prediction.hpp"
+#include "setsquare/slam/scan_tracker_params.hpp"
+#include "setsquare/slam/submap_refinement.hpp"
+
+namespace setsquare {
+
+enum class TrackStatus {
+  kTracked,     ///< The walls determine the pose.
+  kDegenerate,  ///< They do not along one direction; there the prediction stands in.
+  kRecovered,   ///< Tracking had lost the scan; the search all around found it again.
+  kLost,        ///< Not found: the pose is the predicted one.
+};
+
+/// A scan placed by tracking, with its evidence.
+struct TrackedPose {
+  TrackStatus status = TrackStatus::kTracked;
+  Pose2 T_odom_sensor;
+  bool is_keyframe = false;
+  double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
+  WeakDirection weak;  ///< In the odom frame.
+};
+
+/// Places scan after scan against a submap of the latest keyframes.
+///
+/// 1. Predict: from the odometry if there is any, else from the last motion.
+/// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
+/// 3. Recover where the scan does not fit: other turns, near first, then the full circle.
+/// 4. Search along the corridor where the walls leave a direction free.
+/// 5. Keep the scan as a keyframe where it is far enough from the last one.
+class ScanTracker {
+ public:
+  explicit ScanTracker(const ScanTrackerParams& params = {});
+
+  /// Places the next scan. `T_wheels_sensor` is the pose of the sensor by wheel odometry, in any
+  /// frame that stays put. The first scan stands at the identity.
+  TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor);
+
+ private:
+  TrackedPose place(const SurfacePoints& points, const std::optional<Pose2>& T_wheels_sensor);
+  void keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked);
+
+  ScanTrackerParams params_;
+  MotionPrediction motion_;
+  std::vector<Keyframe> submap_;
+  PointMarks marks_;
+  std::size_t num_scans_ = 0;
+};
+
+}  // namespace setsquare

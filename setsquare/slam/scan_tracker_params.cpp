@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/scan_tracker_params.hpp"
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+namespace {
+
+void require_positive(double value, const char* name) {
+  if (!(value > 0.0)) throw ParameterError(name, "must be positive");
+}
+
+}  // namespace
+
+void ScanTrackerParams::validate() const {
+  if (num_keyframes < 1) throw ParameterError("num_keyframes", "must be at least 1");
+  if (num_scans_averaged < 1) throw ParameterError("num_scans_averaged", "must be at least 1");
+  require_positive(keyframe_distance_m, "keyframe_distance_m");
+  require_positive(keyframe_turn_rad, "keyframe_turn_rad");
+  surfaces.validate();
+  for (const AlignmentScale& scale :
+       {refinement.first_step, refinement.later_steps, recovery.first_step}) {
+    require_positive(scale.gate_m, "gate_m");
+    require_positive(scale.scale_m, "scale_m");
+  }
+  require_positive(refinement.max_step_m, "max_step_m");
+  require_positive(corridor.step_m, "step_m");
+  require_positive(corridor.scale_m, "scale_m");
+  require_positive(corridor.motion_sigma_m, "motion_sigma_m");
+  require_positive(recovery.near_step_rad, "near_step_rad");
+  require_positive(recovery.far_step_rad, "far_step_rad");
+}
+
+}  // namespace setsquare

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/matching/surface_image.hpp"
+#include "setsquare/matching/surface_points.hpp"
+#include "setsquare/slam/submap_alignment.hpp"
+
+namespace setsquare {
+
+/// Parameters of the Gauss-Newton refinement against the submap.
+struct SubmapRefinementParams {
+  AlignmentScale first_step{.gate_m = 0.30, .scale_m = 0.10};   ///< Catches.
+  AlignmentScale later_steps{.gate_m = 0.15, .scale_m = 0.05};  ///< Settle.
+  int max_iterations = 10;
+  double converged_m = 2e-4;    ///< A step smaller than this ...
+  double converged_rad = 1e-4;  ///< ... and this ends the iteration.
+  double max_step_m = 0.3;
+  /// Directions bound by fewer effective points than this are topped up by the prediction.
+  double min_effective_points = 3.0;
+  double prediction_weight = 2.0;  ///< Of each missing point.
+};
+
+/// Parameters of the search along a corridor.
+struct CorridorSearchParams {
+  double below_effective_points = 4.0;  ///< Only scans bound more weakly are searched.
+  double half_range_m = 0.6;            ///< About the prediction.
+  double step_m = 0.05;
+  double scale_m = 0.06;         ///< Closeness of points to surfaces.
+  double motion_sigma_m = 0.15;  ///< How far off the prediction is taken to be.
+  double motion_cost = 0.02;     ///< Closeness given up for one sigma off the prediction.
+};
+
+/// Parameters of finding the pose again.
+struct RecoveryParams {
+  double below_score = 0.4;                   ///< Tracked scores below this are looked at again.
+  double min_gain = 0.1;                      ///< A start must beat the tracked score by this much.
+  double near_turn_rad = rad_from_deg(32.0);  ///< First about the last pose within this turn,
+  double near_step_rad = rad_from_deg(8.0);   ///< from starts so far apart ...
+  double far_below_score = 0.3;  ///< ... and if the best still scores below this, everywhere,
+  double far_step_rad = rad_from_deg(5.0);  ///< from starts so far apart.
+  double far_min_score = 0.7;               ///< A far turn is believed only with this score.
+  AlignmentScale first_step{.gate_m = 0.8, .scale_m = 0.10};
+  int max_iterations = 30;
+};
+
+/// Parameters of the scan tracker.
+struct ScanTrackerParams {
+  std::size_t num_keyframes = 8;     ///< In the submap, the latest.
+  double keyframe_distance_m = 0.4;  ///< The paper's spacing (section 5.1).
+  double keyframe_turn_rad = rad_from_deg(10.0);
+  std::size_t num_scans_averaged = 7;  ///< For the last motion.
+  SurfaceParams surfaces;
+  SurfaceImage::Params image;
+  SubmapRefinementParams refinement;
+  CorridorSearchParams corridor;
+  RecoveryParams recovery;
+  double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
+  std::size_t min_points = 10;    ///< Scans with fewer returns are not matched.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+}  // namespace setsquare

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "setsquare/slam/scan_tracker_params.hpp"
+#include "setsquare/slam/submap_alignment.hpp"
+#include "setsquare/slam/weak_direction.hpp"
+
+namespace setsquare {
+
+/// What a scan is compared with: the submap, and the memory that comparisons reuse.
+struct TrackingProblem {
+  std::span<const Keyframe> submap;
+  const SurfacePoints& points;
+  Pose2 T_odom_predicted;  ///< Where the scan is expected.
+  PointMarks& marks;
+};
+
+/// A scan placed in its submap.
+struct SubmapFit {
+  Pose2 T_odom_sensor;
+  SubmapAlignment alignment;  ///< Without the prediction's share.
+  WeakDirection weak;         ///< In the odom frame.
+};
+
+/// Gauss-Newton, point to line, from `start`: wide gate first, narrow gate after. Where fewer than
+/// min_effective_points bind the position along some direction, the prediction makes up for the
+/// missing ones, along that direction only.
+[[nodiscard]] SubmapFit refine_in_submap(const TrackingProblem& problem,
+                                         const Pose2& start,
+                                         const SubmapRefinementParams& params);
+
+}  // namespace setsquare

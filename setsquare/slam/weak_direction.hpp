@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+
+namespace setsquare {
+
+/// The direction along which a scan's walls determine the position least.
+struct WeakDirection {
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< Unit vector.
+  /// How many points bind the position along it, if each faced it squarely: the smaller eigenvalue
+  /// of the sum of the weighted outer products of the normals. A bare corridor shows less than one.
+  double effective_points = 0.0;
+};
+
+/// The smaller eigenvalue and its eigenvector of a symmetric 2 x 2 matrix (points).
+[[nodiscard]] WeakDirection weak_direction(const Eigen::Matrix2d& information_points);
+
+}  // namespace setsquare
