@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Relations between poses as a measure of a trajectory: Kuemmerle et al. 2009, "On measuring the
+// accuracy of SLAM algorithms", Autonomous Robots 27.
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "setsquare/core/relation.hpp"
+#include "setsquare/core/trajectory.hpp"
+
+namespace setsquare {
+
+/// Mean and sample standard deviation (n - 1); the latter is 0 for fewer than two values.
+struct MeanAndDeviation {
+  double mean = 0.0;
+  double deviation = 0.0;
+};
+
+/// The errors of a set of relations.
+struct RelationErrors {
+  std::size_t num_relations = 0;
+  MeanAndDeviation translation_m;  ///< |trans(e)|.
+  MeanAndDeviation squared_translation_m2;
+  MeanAndDeviation rotation_rad;  ///< |rot(e)|, wrapped.
+  MeanAndDeviation squared_rotation_rad2;
+};
+
+/// The error of a trajectory, over all relations and by the time between their stamps.
+struct RelationErrorReport {
+  RelationErrors all;
+  RelationErrors under_60_s;
+  RelationErrors from_60_s;
+  std::size_t num_missing = 0;  ///< Relations with a stamp that the trajectory does not have.
+};
+
+/// Scores a trajectory: for each relation with expected pose d and estimate p1^-1 p2, the error is
+/// e = (p1^-1 p2) d^-1. Stamps are matched to the nearest pose within 12 microseconds (relations
+/// and trajectories round theirs); the order of the trajectory does not matter. Every line of the
+/// relations counts, repeated ones too.
+[[nodiscard]] RelationErrorReport relation_error(const Trajectory& trajectory,
+                                                 std::span<const Relation> relations);
+
+}  // namespace setsquare
