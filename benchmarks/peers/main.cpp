@@ -14,6 +14,7 @@
 #include "benchmarks/peers/comparison.hpp"
 #include "benchmarks/peers/mrpt_icp.hpp"
 #include "setsquare/matching/paper_matcher.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
 
 namespace {
 
@@ -29,8 +30,12 @@ std::vector<Matcher> all_matchers() {
            [](const Scan& reference, const Scan& current) {
              return match_by_mrpt_icp(reference, current, MrptIcpAlgorithm::kLevenbergMarquardt);
            }},
-          {"Setsquare, paper", [](const Scan& reference, const Scan& current) {
+          {"Setsquare, paper",
+           [](const Scan& reference, const Scan& current) {
              return setsquare::match_paper(reference, current).T_reference_current;
+           }},
+          {"Setsquare", [](const Scan& reference, const Scan& current) {
+             return setsquare::match(reference, current).T_reference_current;
            }}};
 }
 
