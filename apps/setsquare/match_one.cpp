@@ -117,9 +117,9 @@ void print_text(const MatchResult& result, const Scan& reference, const Scan& cu
 }  // namespace
 
 void match_one(const MatchOneOptions& options) {
-  const auto scans = select_scans(options.log_path, options.log, options.scans);
-  const Scan& reference = scans[0];
-  const Scan& current = scans[1];
+  const auto selected = select_scans(options.log_path, options.scans, options.log);
+  const Scan& reference = selected[0].scan;
+  const Scan& current = selected[1].scan;
   MatchResult result = match_by(options.preset, reference, current);
   if (!options.is_of_sensor) {
     result = match_result_of_base(result, reference.T_base_sensor, current.T_base_sensor);

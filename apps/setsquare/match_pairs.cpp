@@ -11,7 +11,7 @@
 
 #include "apps/setsquare/match_summary.hpp"
 #include "apps/setsquare/progress_bar.hpp"
-#include "apps/setsquare/select_scan.hpp"
+#include "apps/setsquare/scans_at_stamps.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/io/relations.hpp"
@@ -82,8 +82,7 @@ void match_pairs(const MatchPairsOptions& options) {
   const auto relations = read_relations(options.relations_path);
   if (relations.empty()) throw FormatError(options.relations_path, "", "holds no relation");
   const auto overlaps = overlaps_beside(options.relations_path, relations.size());
-  const auto stamps = stamps_of(relations);
-  const auto scans = select_scans(options.log_path, options.log, stamps);
+  const auto scans = scans_at_stamps(options.log_path, options.log, stamps_of(relations));
 
   std::string table;
   std::vector<PairOutcome> outcomes;
@@ -91,8 +90,8 @@ void match_pairs(const MatchPairsOptions& options) {
   {
     ProgressBar progress("matching");
     for (std::size_t i = 0; i < relations.size(); ++i) {
-      const Scan& reference = scans[2 * i];
-      const Scan& current = scans[2 * i + 1];
+      const Scan& reference = scans.at(relations[i].reference_stamp);
+      const Scan& current = scans.at(relations[i].current_stamp);
       outcomes.push_back(match_pair(reference, current, options.preset));
       table += table_line(reference, current, outcomes.back());
       progress.advance(static_cast<double>(i + 1) / static_cast<double>(relations.size()));

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/scans_at_stamps.hpp"
+
+#include <cstdint>
+#include <memory>
+#include <set>
+
+#include "apps/setsquare/log_options.hpp"
+#include "apps/setsquare/progress_bar.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/open_log.hpp"
+
+namespace setsquare::app {
+
+std::map<Timestamp, Scan> scans_at_stamps(const std::string& log_path,
+                                          const LogOptions& options,
+                                          const std::vector<Timestamp>& stamps) {
+  constexpr std::int64_t kTolerance_ns = 20'000;
+  const std::set<Timestamp> wanted(stamps.begin(), stamps.end());
+  std::map<Timestamp, Scan> found;
+  const std::unique_ptr<LogReader> reader = open_log(log_path, options);
+  ProgressBar progress("reading " + log_path);
+  while (const LogRecord* record = reader->next()) {
+    progress.advance(reader->fraction_read());
+    auto near = wanted.lower_bound(Timestamp{record->stamp.ns - kTolerance_ns});
+    for (; near != wanted.end() && near->ns <= record->stamp.ns + kTolerance_ns; ++near) {
+      found.try_emplace(*near, record->scan);
+    }
+  }
+  tell_problems(log_path, reader->problems());
+  for (const Timestamp stamp : stamps) {
+    if (!found.contains(stamp)) {
+      throw Error(log_path + ": no scan with stamp " + to_string(stamp));
+    }
+  }
+  return found;
+}
+
+}  // namespace setsquare::app
