@@ -43,6 +43,7 @@ class InputBuffer {
 
   std::unique_ptr<ByteSource> source_;
   std::vector<char> bytes_;
+  std::size_t num_read_bytes_;
   std::size_t begin_ = 0;
   std::size_t end_ = 0;
   std::uint64_t offset_ = 0;

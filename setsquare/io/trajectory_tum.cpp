@@ -21,7 +21,8 @@ double heading_from_quaternion(double qx, double qy, double qz, double qw) {
 
 std::string tum_from_trajectory(const Trajectory& trajectory) {
   std::string text;
-  char line[160];
+  constexpr std::size_t kLongestLine = 720;  // two numbers of 317 characters: the largest doubles
+  char line[kLongestLine];
   for (const StampedPose& stamped : trajectory) {
     const double half_rad = 0.5 * wrap_to_pi(stamped.pose.theta_rad);
     const int length = std::snprintf(line,

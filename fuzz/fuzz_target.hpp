@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// What every fuzz target shares: its entry point, and the laws that a reader keeps on any bytes.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/log_survey.hpp"
+#include "setsquare/io/record_stream.hpp"
+
+/// libFuzzer's entry point; replay.cpp calls it too.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
+
+namespace setsquare::fuzz {
+
+inline std::string bytes_from(const std::uint8_t* data, std::size_t size) {
+  return {data, data + size};
+}
+
+/// Ends the program where a law is broken: libFuzzer and CTest both see it.
+inline void require(bool is_kept) {
+  if (!is_kept) std::abort();
+}
+
+/// Reads all records. Laws: a scan has beams and a valid geometry, positions never run backwards,
+/// every record that was not damaged can be surveyed.
+inline void drain(RecordStream& stream) {
+  LogRecord record;
+  LogSurvey survey;
+  std::uint64_t position = 0;
+  while (stream.read(record)) {
+    require(record.position >= position);
+    position = record.position;
+    if (record.kind == RecordKind::kScan) {
+      require(record.scan.num_beams() > 0);
+      record.scan.validate();
+    }
+    survey.add(record);
+  }
+  require(stream.problems().first.size() <= LogProblems::kMaxKept);
+}
+
+}  // namespace setsquare::fuzz
