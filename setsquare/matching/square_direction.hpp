@@ -12,7 +12,7 @@ namespace setsquare {
 
 /// Parameters of square_directions. Angles in rad.
 struct SquareDirectionParams {
-  StraightPieceParams pieces;
+  StraightPieceParams pieces = {};
   std::size_t max_num_peaks = 3;       ///< Directions proposed.
   double min_separation_rad = 0.0873;  ///< Between two of them (5 deg).
   double density_width_rad = 0.0122;   ///< Standard deviation that smooths the pieces' directions.
