@@ -143,6 +143,12 @@ void SvgCanvas::begin_clip(const Eigen::Vector2d& corner, const Eigen::Vector2d&
 
 void SvgCanvas::end_clip() { body_ += "</svg>\n"; }
 
+void SvgCanvas::place(const SvgCanvas& other, const Eigen::Vector2d& corner) {
+  body_ += joined({"<svg", attribute("x", corner.x()), attribute("y", corner.y()), ">\n"});
+  body_ += other.body_;
+  body_ += "</svg>\n";
+}
+
 std::string SvgCanvas::element() const {
   const std::string width = svg_number(width_px_);
   const std::string height = svg_number(height_px_);

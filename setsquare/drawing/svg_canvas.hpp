@@ -54,6 +54,11 @@ class SvgCanvas {
   /// What follows, until end_clip, is seen inside the rectangle only.
   void begin_clip(const Eigen::Vector2d& corner, const Eigen::Vector2d& size);
   void end_clip();
+  /// Draws another canvas with its upper left corner here.
+  void place(const SvgCanvas& other, const Eigen::Vector2d& corner);
+
+  [[nodiscard]] double width_px() const { return width_px_; }
+  [[nodiscard]] double height_px() const { return height_px_; }
 
   /// The whole picture as an XML document, or, to stand inside an HTML page, its svg element alone.
   [[nodiscard]] std::string document() const;
