@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
+
+#include "setsquare/matching/lanes.hpp"
 
 namespace setsquare {
 namespace {
@@ -16,108 +19,102 @@ constexpr float kMinNormalCosine = 0.7F;
 /// Offsets beyond it are no surface's.
 constexpr float kHalfNoSurface_m = 0.5F * SurfaceImage::kNoSurface_m;
 
-constexpr std::size_t kBlock = 64;
-
-/// A block of samples moved into the image's frame, with the sector that each falls into.
-struct MovedBlock {
-  std::array<float, kBlock> x_m;
-  std::array<float, kBlock> y_m;
-  std::array<float, kBlock> normal_x;
-  std::array<float, kBlock> normal_y;
-  std::array<std::int32_t, kBlock> sector;
-};
-
-/// Sums over the samples; the six products and three moments of b = (n_x, n_y, n_y q_x - n_x q_y),
-/// the derivative of a distance by a motion of the image's frame.
+/// Sums over the samples, a lane each; the six products and three moments of b = (n_x, n_y,
+/// n_y q_x - n_x q_y), the derivative of a distance by a motion of the image's frame.
 struct Sums {
-  float wall = 0.0F;
-  float agreeing = 0.0F;
-  float contradicted = 0.0F;
-  float hidden = 0.0F;
-  float outside = 0.0F;
-  float xx = 0.0F, xy = 0.0F, yy = 0.0F, xt = 0.0F, yt = 0.0F, tt = 0.0F;
-  float gx = 0.0F, gy = 0.0F, gt = 0.0F;
+  Floats wall{}, agreeing{}, contradicted{}, hidden{}, outside{};
+  Floats xx{}, xy{}, yy{}, xt{}, yt{}, tt{};
+  Floats gx{}, gy{}, gt{};
 };
 
-void move_block(const SurfaceImage& image,
-                const SurfaceSamples& samples,
-                const Pose2& T,
-                std::size_t first,
-                std::size_t count,
-                MovedBlock& moved) {
-  const float c = static_cast<float>(std::cos(T.theta_rad));
-  const float s = static_cast<float>(std::sin(T.theta_rad));
-  const float tx = static_cast<float>(T.x_m);
-  const float ty = static_cast<float>(T.y_m);
-  const float* x = samples.x_m.data() + first;
-  const float* y = samples.y_m.data() + first;
-  const float* nx = samples.normal_x.data() + first;
-  const float* ny = samples.normal_y.data() + first;
-  for (std::size_t i = 0; i < count; ++i) {
-    moved.x_m[i] = c * x[i] - s * y[i] + tx;
-    moved.y_m[i] = s * x[i] + c * y[i] + ty;
-    moved.normal_x[i] = c * nx[i] - s * ny[i];
-    moved.normal_y[i] = s * nx[i] + c * ny[i];
-    moved.sector[i] = image.sector_index(moved.x_m[i], moved.y_m[i]);
+/// The same point of four samples' sectors, an array a field.
+struct SectorLanes {
+  Floats normal_x, normal_y, offset_m, free_square_m2;
+};
+
+SectorLanes gather(const SurfaceSector* sectors, Ints index) {
+  static_assert(sizeof(SurfaceSector) == sizeof(Floats));
+  std::array<Floats, kLanes> rows;
+  for (std::size_t lane = 0; lane < kLanes; ++lane) {
+    std::memcpy(&rows[lane], &sectors[index[lane]], sizeof(Floats));
   }
+  const Floats a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
+  const Floats b = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
+  const Floats c = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
+  const Floats d = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
+  return {__builtin_shufflevector(a, b, 0, 1, 4, 5),
+          __builtin_shufflevector(a, b, 2, 3, 6, 7),
+          __builtin_shufflevector(c, d, 0, 1, 4, 5),
+          __builtin_shufflevector(c, d, 2, 3, 6, 7)};
 }
 
-void add_sample(const SurfaceSector& sector,
-                const MovedBlock& moved,
-                std::size_t i,
-                float weight,
-                float inverse_tolerance,
-                Sums& sums) {
-  const float x = moved.x_m[i];
-  const float y = moved.y_m[i];
-  const float distance = SurfaceImage::signed_distance_m(sector, x, y);
-  const float u = distance * inverse_tolerance;
-  const float nearness = 1.0F - u * u;
-  if (nearness > 0.0F) {
-    const float cosine = sector.normal_x * moved.normal_x[i] + sector.normal_y * moved.normal_y[i];
-    const bool has_normal = moved.normal_x[i] != 0.0F || moved.normal_y[i] != 0.0F;
-    const float facing = has_normal ? (cosine > kMinNormalCosine ? 1.0F : 0.0F) : kClutterWeight;
-    const float agreeing = weight * facing * nearness;
-    sums.agreeing += agreeing;
-    const float w = agreeing * nearness;
-    const float bt = sector.normal_y * x - sector.normal_x * y;
-    const float wx = w * sector.normal_x;
-    const float wy = w * sector.normal_y;
-    const float wt = w * bt;
-    sums.xx += wx * sector.normal_x;
-    sums.xy += wx * sector.normal_y;
-    sums.yy += wy * sector.normal_y;
-    sums.xt += wx * bt;
-    sums.yt += wy * bt;
-    sums.tt += wt * bt;
-    sums.gx += wx * distance;
-    sums.gy += wy * distance;
-    sums.gt += wt * distance;
-  } else if (x * x + y * y < sector.free_square_m2 &&
-             (distance > 0.0F || distance < -kHalfNoSurface_m)) {
-    sums.contradicted += weight;
-  } else if (distance < -kHalfNoSurface_m) {
-    sums.outside += weight;
-  } else if (distance < 0.0F) {
-    sums.hidden += weight;
-  }
+struct MovedLanes {
+  Floats x, y, normal_x, normal_y;
+};
+
+void add_samples(const SectorLanes& sector,
+                 const MovedLanes& moved,
+                 Floats weight,
+                 Floats inverse_tolerance,
+                 Sums& sums) {
+  const Floats zero{};
+  const Floats distance = sector.normal_x * moved.x + sector.normal_y * moved.y - sector.offset_m;
+  const Floats u = distance * inverse_tolerance;
+  const Floats nearness = 1.0F - u * u;
+  const Ints is_near = nearness > zero;
+  const Floats cosine = sector.normal_x * moved.normal_x + sector.normal_y * moved.normal_y;
+  const Ints has_normal = (moved.normal_x != zero) | (moved.normal_y != zero);
+  const Floats facing = where(has_normal & (cosine > spread(kMinNormalCosine)), spread(1.0F)) +
+                        where(~has_normal, spread(kClutterWeight));
+  const Floats agreeing = where(is_near, weight * facing * nearness);
+
+  const Ints is_unseen = distance < spread(-kHalfNoSurface_m);
+  const Ints is_before = (distance > zero) | is_unseen;
+  const Ints is_seen_through =
+      (moved.x * moved.x + moved.y * moved.y < sector.free_square_m2) & is_before & ~is_near;
+  sums.wall += weight;
+  sums.agreeing += agreeing;
+  sums.contradicted += where(is_seen_through, weight);
+  sums.outside += where(is_unseen & ~is_seen_through, weight);
+  sums.hidden += where(~(is_near | is_before), weight);
+
+  const Floats w = agreeing * where(is_near, nearness);
+  const Floats bt = sector.normal_y * moved.x - sector.normal_x * moved.y;
+  const Floats wx = w * sector.normal_x;
+  const Floats wy = w * sector.normal_y;
+  const Floats wt = w * bt;
+  const Floats near_distance = where(is_near, distance);
+  sums.xx += wx * sector.normal_x;
+  sums.xy += wx * sector.normal_y;
+  sums.yy += wy * sector.normal_y;
+  sums.xt += wx * bt;
+  sums.yt += wy * bt;
+  sums.tt += wt * bt;
+  sums.gx += wx * near_distance;
+  sums.gy += wy * near_distance;
+  sums.gt += wt * near_distance;
 }
 
 Sums sum_over_samples(const SurfaceImage& image,
                       const SurfaceSamples& samples,
                       const Pose2& T_a_b,
                       double tolerance_m) {
+  const Floats c = spread(static_cast<float>(std::cos(T_a_b.theta_rad)));
+  const Floats s = spread(static_cast<float>(std::sin(T_a_b.theta_rad)));
+  const Floats tx = spread(static_cast<float>(T_a_b.x_m));
+  const Floats ty = spread(static_cast<float>(T_a_b.y_m));
+  const Floats inverse_tolerance = spread(static_cast<float>(1.0 / tolerance_m));
+  const SurfaceSector* sectors = image.sectors().data();
   Sums sums;
-  MovedBlock moved;
-  const float inverse_tolerance = static_cast<float>(1.0 / tolerance_m);
-  for (std::size_t first = 0; first < samples.size(); first += kBlock) {
-    const std::size_t count = std::min(kBlock, samples.size() - first);
-    move_block(image, samples, T_a_b, first, count, moved);
-    for (std::size_t i = 0; i < count; ++i) {
-      const float weight = samples.weight_m[first + i];
-      sums.wall += weight;
-      add_sample(image.sectors()[moved.sector[i]], moved, i, weight, inverse_tolerance, sums);
-    }
+  for (std::size_t i = 0; i < samples.padded_size(); i += kLanes) {
+    const Floats x = load_lanes(&samples.x_m[i]);
+    const Floats y = load_lanes(&samples.y_m[i]);
+    const Floats nx = load_lanes(&samples.normal_x[i]);
+    const Floats ny = load_lanes(&samples.normal_y[i]);
+    const MovedLanes moved{
+        c * x - s * y + tx, s * x + c * y + ty, c * nx - s * ny, s * nx + c * ny};
+    const SectorLanes sector = gather(sectors, image.sector_indices(moved.x, moved.y));
+    add_samples(sector, moved, load_lanes(&samples.weight_m[i]), inverse_tolerance, sums);
   }
   return sums;
 }
@@ -125,13 +122,17 @@ Sums sum_over_samples(const SurfaceImage& image,
 /// Turns the sums' derivatives b of the image's frame into those of the pose by the 3 x 3 matrix A.
 Alignment alignment_from(const Sums& sums, const Eigen::Matrix3d& A) {
   Eigen::Matrix3d products;
-  products << sums.xx, sums.xy, sums.xt,  //
-      sums.xy, sums.yy, sums.yt,          //
-      sums.xt, sums.yt, sums.tt;
+  products << sum_of(sums.xx), sum_of(sums.xy), sum_of(sums.xt),  //
+      sum_of(sums.xy), sum_of(sums.yy), sum_of(sums.yt),          //
+      sum_of(sums.xt), sum_of(sums.yt), sum_of(sums.tt);
   Alignment result;
-  result.evidence = {sums.wall, sums.agreeing, sums.contradicted, sums.hidden, sums.outside};
+  result.evidence = {sum_of(sums.wall),
+                     sum_of(sums.agreeing),
+                     sum_of(sums.contradicted),
+                     sum_of(sums.hidden),
+                     sum_of(sums.outside)};
   result.hessian = A * products * A.transpose();
-  result.gradient = A * Eigen::Vector3d(sums.gx, sums.gy, sums.gt);
+  result.gradient = A * Eigen::Vector3d(sum_of(sums.gx), sum_of(sums.gy), sum_of(sums.gt));
   return result;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "setsquare/matching/lanes.hpp"
 #include "setsquare/matching/surface_points.hpp"
 #include "setsquare/scan/scan.hpp"
 
@@ -52,6 +53,12 @@ class SurfaceImage {
 
   [[nodiscard]] std::int32_t sector_index(float x_m, float y_m) const {
     return static_cast<std::int32_t>((diamond_angle(x_m, y_m) + 1.0F) * sectors_per_unit_) & mask_;
+  }
+  /// The same for four points at once.
+  [[nodiscard]] Ints sector_indices(Floats x_m, Floats y_m) const {
+    const Floats quotient = y_m / (absolute(x_m) + absolute(y_m) + 1e-12F);
+    const Floats angle = select(x_m >= Floats{}, quotient, 2.0F - quotient);
+    return __builtin_convertvector((angle + 1.0F) * sectors_per_unit_, Ints) & mask_;
   }
   [[nodiscard]] const std::vector<SurfaceSector>& sectors() const { return sectors_; }
 

@@ -3,6 +3,9 @@
 #include "setsquare/matching/surface_samples.hpp"
 
 #include <numeric>
+#include <utility>
+
+#include "setsquare/matching/lanes.hpp"
 
 namespace setsquare {
 namespace {
@@ -18,6 +21,16 @@ void push_back(const SurfacePoints& points,
   samples.weight_m.push_back(weight_m);
 }
 
+SurfaceSamples padded(SurfaceSamples samples) {
+  samples.count = samples.x_m.size();
+  const std::size_t padded_size = (samples.count + kLanes - 1) / kLanes * kLanes;
+  for (auto* array :
+       {&samples.x_m, &samples.y_m, &samples.normal_x, &samples.normal_y, &samples.weight_m}) {
+    array->resize(padded_size, 0.0F);
+  }
+  return samples;
+}
+
 }  // namespace
 
 SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples) {
@@ -28,7 +41,7 @@ SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_sampl
     samples.normal_x = points.normal_x;
     samples.normal_y = points.normal_y;
     samples.weight_m = points.weight_m;
-    return samples;
+    return padded(std::move(samples));
   }
   for (auto* array :
        {&samples.x_m, &samples.y_m, &samples.normal_x, &samples.normal_y, &samples.weight_m}) {
@@ -45,7 +58,7 @@ SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_sampl
     for (; walked_m > next_m; ++num_steps) next_m += step_m;
     push_back(points, i, static_cast<float>(num_steps * step_m), samples);
   }
-  return samples;
+  return padded(std::move(samples));
 }
 
 }  // namespace setsquare

@@ -18,7 +18,11 @@ struct SurfaceSamples {
   std::vector<float> normal_y;
   std::vector<float> weight_m;
 
-  [[nodiscard]] std::size_t size() const { return x_m.size(); }
+  std::size_t count =
+      0;  ///< The arrays are longer: padded to whole vectors with weightless points.
+
+  [[nodiscard]] std::size_t size() const { return count; }
+  [[nodiscard]] std::size_t padded_size() const { return x_m.size(); }
 };
 
 /// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);
