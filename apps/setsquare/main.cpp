@@ -52,6 +52,7 @@ int main(int argc, char** argv) {
     setsquare::app::add_info(application);
     setsquare::app::add_evaluate(application);
     setsquare::app::add_match(application);
+    setsquare::app::add_map(application);
     return run(application, argc, argv);
   } catch (const std::exception& error) {
     return complain(error.what());

@@ -10,6 +10,7 @@
 namespace setsquare::app {
 
 void add_info(CLI::App& application);
+void add_map(CLI::App& application);
 void add_evaluate(CLI::App& application);
 void add_match(CLI::App& application);
 

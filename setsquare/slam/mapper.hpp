@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "setsquare/core/trajectory.hpp"
 #include "setsquare/graph/heading_fusion.hpp"
 #include "setsquare/matching/square_direction.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/slam/mapped_track.hpp"
 #include "setsquare/slam/scan_tracker.hpp"
 
 namespace setsquare {
@@ -33,23 +33,6 @@ struct MapperParams {
 
   /// Throws ParameterError that names the field.
   void validate() const;
-};
-
-/// A scan in the map.
-struct MappedScan {
-  Timestamp stamp;
-  TrackStatus status = TrackStatus::kTracked;
-  Pose2 T_map_sensor;
-  Pose2 T_map_base;
-  double score = 0.0;             ///< See TrackedPose.
-  double effective_points = 0.0;  ///< See WeakDirection.
-};
-
-/// What the mapper knows at the end.
-struct MappedTrack {
-  std::vector<MappedScan> scans;       ///< Every scan, in the order in which it came.
-  std::vector<std::size_t> keyframes;  ///< Indices of scans.
-  FusedHeadings headings;              ///< One a keyframe.
 };
 
 /// Scans in, poses out: sequential, no loop closing.

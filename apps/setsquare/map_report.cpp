@@ -1,0 +1,134 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/map_report.hpp"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "setsquare/slam/mapper.hpp"
+#include "setsquare/slam/paper_mapper.hpp"
+
+namespace setsquare::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+double step_m(const MappedTrack& track, std::size_t i) {
+  return (track.scans[i].T_map_base.translation() - track.scans[i - 1].T_map_base.translation())
+      .norm();
+}
+
+/// Six decimals: what the log's own digits can support.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Json json_from(const Stretch& stretch, const MappedTrack& track) {
+  const std::size_t last = stretch.first_scan + stretch.num_scans - 1;
+  return {{"status", to_string(stretch.status)},
+          {"first_scan", stretch.first_scan},
+          {"num_scans", stretch.num_scans},
+          {"first_stamp", to_string(track.scans[stretch.first_scan].stamp)},
+          {"last_stamp", to_string(track.scans[last].stamp)},
+          {"path_m", rounded(stretch.path_m)}};
+}
+
+Json counts(const MappedTrack& track) {
+  std::array<std::size_t, 4> count{};
+  for (const MappedScan& scan : track.scans) ++count[static_cast<std::size_t>(scan.status)];
+  Json json = {{"scans", track.scans.size()}, {"keyframes", track.keyframes.size()}};
+  for (const TrackStatus status : {TrackStatus::kTracked,
+                                   TrackStatus::kDegenerate,
+                                   TrackStatus::kRecovered,
+                                   TrackStatus::kLost}) {
+    json[to_string(status)] = count[static_cast<std::size_t>(status)];
+  }
+  return json;
+}
+
+Json parameters(const MapOptions& options) {
+  if (options.preset == Preset::kPaper) {
+    const PaperMapperParams params;
+    return {{"keyframe_distance_m", params.keyframe_distance_m},
+            {"keyframe_turn_deg", rounded(deg_from_rad(params.keyframe_turn_rad))},
+            {"max_rejected", params.max_rejected},
+            {"min_zncc_product", params.matcher.min_zncc_product},
+            {"max_shift_m", params.matcher.max_shift_m}};
+  }
+  const MapperParams params;
+  const ScanTrackerParams& tracker = params.tracker;
+  return {{"num_keyframes", tracker.num_keyframes},
+          {"keyframe_distance_m", tracker.keyframe_distance_m},
+          {"keyframe_turn_deg", rounded(deg_from_rad(tracker.keyframe_turn_rad))},
+          {"max_range_m", tracker.surfaces.max_range_m},
+          {"min_effective_points", tracker.refinement.min_effective_points},
+          {"lost_below_score", tracker.lost_below_score},
+          {"building_sigma_deg", rounded(deg_from_rad(params.heading.building_sigma_rad))},
+          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.rotation.step_sigma_rad))}};
+}
+
+}  // namespace
+
+const char* to_string(TrackStatus status) {
+  switch (status) {
+    case TrackStatus::kTracked:
+      return "tracked";
+    case TrackStatus::kDegenerate:
+      return "degenerate";
+    case TrackStatus::kRecovered:
+      return "recovered";
+    case TrackStatus::kLost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+std::vector<Stretch> stretches(const MappedTrack& track) {
+  std::vector<Stretch> found;
+  for (std::size_t i = 0; i < track.scans.size(); ++i) {
+    const TrackStatus status = track.scans[i].status;
+    if (status == TrackStatus::kTracked) continue;
+    const bool continues = i > 0 && track.scans[i - 1].status == status;
+    if (!continues) {
+      found.push_back({.status = status, .first_scan = i, .num_scans = 0, .path_m = 0.0});
+    }
+    ++found.back().num_scans;
+    if (i > 0) found.back().path_m += step_m(track, i);
+  }
+  return found;
+}
+
+Trajectory trajectory_from(const MappedTrack& track, bool is_of_sensor) {
+  Trajectory trajectory;
+  trajectory.reserve(track.scans.size());
+  for (const MappedScan& scan : track.scans) {
+    trajectory.push_back({scan.stamp, is_of_sensor ? scan.T_map_sensor : scan.T_map_base});
+  }
+  return trajectory;
+}
+
+double path_length_m(const MappedTrack& track) {
+  double length_m = 0.0;
+  for (std::size_t i = 1; i < track.scans.size(); ++i) length_m += step_m(track, i);
+  return length_m;
+}
+
+std::string run_json(const MapOptions& options, const MapRun& run) {
+  Json found = Json::array();
+  for (const Stretch& stretch : stretches(run.track)) {
+    found.push_back(json_from(stretch, run.track));
+  }
+  const bool is_paper = options.preset == Preset::kPaper;
+  const Json json = {{"format", run.format},
+                     {"sensor", run.sensor},
+                     {"preset", is_paper ? "paper" : "default"},
+                     {"frame", options.is_of_sensor ? "sensor" : "base"},
+                     {"scans_with_odometry", run.num_with_odometry},
+                     {"damaged_records", run.problems.num_damaged},
+                     {"num", counts(run.track)},
+                     {"path_m", rounded(path_length_m(run.track))},
+                     {"stretches", found},
+                     {"parameters", parameters(options)}};
+  return json.dump(2) + "\n";
+}
+
+}  // namespace setsquare::app

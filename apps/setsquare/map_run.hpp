@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "apps/setsquare/preset.hpp"
+#include "setsquare/io/log_reader.hpp"
+#include "setsquare/scan/scan.hpp"
+#include "setsquare/slam/mapped_track.hpp"
+
+namespace setsquare::app {
+
+/// What `setsquare map` was asked to do.
+struct MapOptions {
+  std::string log_path;
+  std::string output_path;  ///< A directory; made if it is not there.
+  LogOptions log;
+  Preset preset = Preset::kDefault;
+  bool uses_odometry = true;
+  bool is_of_sensor = false;  ///< Poses of the sensor instead of the robot's.
+};
+
+/// A scan that the picture needs.
+struct PictureScan {
+  Scan scan;
+  std::size_t index = 0;  ///< Among the log's scans, from 0.
+};
+
+/// A log mapped.
+struct MapRun {
+  MappedTrack track;
+  std::vector<PictureScan> picture_scans;  ///< Those that moved on; the rest would add nothing.
+  std::size_t num_with_odometry = 0;       ///< Scans whose odometry was used.
+  std::string format;
+  std::string sensor;
+  LogProblems problems;
+};
+
+/// Reads the log once, scan by scan, and maps it; shows how far it is. Throws FileError,
+/// FormatError, ParameterError.
+[[nodiscard]] MapRun run_map(const MapOptions& options);
+
+}  // namespace setsquare::app

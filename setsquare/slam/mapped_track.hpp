@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/core/timestamp.hpp"
+#include "setsquare/graph/heading_fusion.hpp"
+#include "setsquare/slam/scan_tracker.hpp"
+
+namespace setsquare {
+
+/// A scan in the map.
+struct MappedScan {
+  Timestamp stamp;
+  TrackStatus status = TrackStatus::kTracked;
+  Pose2 T_map_sensor;
+  Pose2 T_map_base;
+  double score = 0.0;             ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
+  double effective_points = 0.0;  ///< See WeakDirection; 0 by PaperMapper.
+};
+
+/// What a mapper knows at the end.
+struct MappedTrack {
+  std::vector<MappedScan> scans;       ///< Every scan, in the order in which it came.
+  std::vector<std::size_t> keyframes;  ///< Indices of scans.
+  FusedHeadings headings;              ///< One a keyframe; none by PaperMapper.
+};
+
+}  // namespace setsquare

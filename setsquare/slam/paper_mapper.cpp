@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/paper_mapper.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+
+void PaperMapperParams::validate() const {
+  matcher.validate();
+  if (!(keyframe_distance_m > 0.0)) {
+    throw ParameterError("keyframe_distance_m", "must be positive");
+  }
+  if (!(keyframe_turn_rad > 0.0)) throw ParameterError("keyframe_turn_rad", "must be positive");
+  if (max_rejected < 1) throw ParameterError("max_rejected", "must be at least 1");
+}
+
+PaperMapper::PaperMapper(const PaperMapperParams& params) : params_(params) { params_.validate(); }
+
+TrackedPose PaperMapper::add(const Scan& scan) {
+  scan.validate();
+  PreparedPaperScan current = prepare_paper(scan, params_.matcher);
+  TrackedPose tracked;
+  if (!keyframe_) {
+    // Eq. (8): theta_D is the heading against the building's walls.
+    T_map_sensor_.theta_rad = wrap_to_period(current.direction.theta_rad, 0.5 * kPi);
+    tracked.is_keyframe = true;
+  } else {
+    const MatchResult match = match_paper(*keyframe_, current, params_.matcher);
+    tracked.score = match.score;
+    if (match.status == MatchStatus::kMatched) {
+      num_rejected_ = 0;
+      const Pose2& moved = *match.T_reference_current;
+      T_map_sensor_ = T_map_keyframe_ * moved;
+      tracked.is_keyframe = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
+                            std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+    } else {
+      tracked.status = TrackStatus::kLost;
+      tracked.is_keyframe = ++num_rejected_ >= params_.max_rejected;
+    }
+  }
+  tracked.T_odom_sensor = T_map_sensor_;
+  if (tracked.is_keyframe) {
+    keyframe_ = std::move(current);
+    T_map_keyframe_ = T_map_sensor_;
+    num_rejected_ = 0;
+    track_.keyframes.push_back(track_.scans.size());
+  }
+  track_.scans.push_back({.stamp = scan.stamp,
+                          .status = tracked.status,
+                          .T_map_sensor = T_map_sensor_,
+                          .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
+                          .score = tracked.score,
+                          .effective_points = 0.0});
+  return tracked;
+}
+
+MappedTrack PaperMapper::finish() const { return track_; }
+
+}  // namespace setsquare

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "setsquare/matching/paper_matcher.hpp"
+#include "setsquare/scan/scan.hpp"
+#include "setsquare/slam/mapped_track.hpp"
+
+namespace setsquare {
+
+/// Parameters of PaperMapper.
+struct PaperMapperParams {
+  PaperParams matcher;
+  double keyframe_distance_m = 0.4;  ///< Section 5.1.
+  double keyframe_turn_rad = rad_from_deg(10.0);
+  /// After so many rejected scans in a row the last one starts anew where it was last seen.
+  std::size_t max_rejected = 10;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// The paper's map building (bando2014, section 5.2): scan to scan, by its own method alone, each
+/// scan against the previous keyframe, poses chained; no odometry, no fusion, no submap. The paper
+/// does not tell what it does with a rejected match: here the robot is taken to stand still.
+class PaperMapper {
+ public:
+  explicit PaperMapper(const PaperMapperParams& params = {});
+
+  /// The next scan of the log. Throws ParameterError where the scan's geometry is no scan's.
+  TrackedPose add(const Scan& scan);
+
+  /// All poses so far. The map's frame is the first scan's, turned by its dominant direction.
+  [[nodiscard]] MappedTrack finish() const;
+
+ private:
+  PaperMapperParams params_;
+  std::optional<PreparedPaperScan> keyframe_;
+  Pose2 T_map_keyframe_;
+  Pose2 T_map_sensor_;
+  std::size_t num_rejected_ = 0;  ///< In a row.
+  MappedTrack track_;
+};
+
+}  // namespace setsquare
