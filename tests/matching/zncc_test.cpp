@@ -39,7 +39,7 @@ std::vector<std::int32_t> random_counts(std::mt19937_64& generator, std::size_t 
 
 TEST(Zncc, EqualsItsPlainTwinAndStaysWithinOne) {
   std::mt19937_64 generator = testing::make_generator();
-  for (const std::size_t size : {2, 3, 10, 500}) {
+  for (const std::size_t size : {10, 100, 500}) {
     for (int i = 0; i < 20; ++i) {
       const auto a = random_counts(generator, size);
       const auto b = random_counts(generator, size);
