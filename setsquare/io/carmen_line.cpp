@@ -252,7 +252,6 @@ CarmenLine read_carmen_line(std::string_view line, CarmenState& state, LogRecord
 }
 
 bool is_carmen_log(std::string_view beginning) {
-  if (beginning.find('\0') != std::string_view::npos) return false;
   while (!beginning.empty()) {
     TextScanner line(beginning.substr(0, beginning.find('\n')));
     const auto name = line.word();
