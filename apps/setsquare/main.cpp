@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
         "Each subcommand has its own --help.");
     setsquare::app::add_info(application);
     setsquare::app::add_evaluate(application);
+    setsquare::app::add_explain(application);
     setsquare::app::add_match(application);
     setsquare::app::add_map(application);
     return run(application, argc, argv);

@@ -65,7 +65,7 @@ void draw_axis(SvgCanvas& canvas, int column, const MatchStory& story) {
       {kPanelWidth_px * column, 0.0},
       {kPanelWidth_px, kHeight_px},
       {-story.shifts.max_shift_m, story.shifts.max_shift_m},
-      {0.0, 1.3 * top},
+      {0.0, 1.45 * top},
       {is_along ? "Along x'" : "Along y'", "shift lambda [m]", is_along ? "Corr(lambda)" : ""});
   for (std::size_t i = curves.size(); i-- > 0;) {  // the answer's last, on top
     panel.curve(

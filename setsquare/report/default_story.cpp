@@ -67,17 +67,16 @@ void tell_proposals(const MatchTrace& trace, MatchStory& story) {
   }
   const std::string effort =
       trace.was_thorough
-          ? "The quick search over the rotations at which the walls face the same ways left doubt, "
-            "so every rotation of the circle was tried. "
+          ? "The walls' directions left doubt, so every rotation of the circle was tried."
           : joined({"Tried: the ",
                     std::to_string(trace.rotations.size()),
-                    " rotations at which the walls face the same ways. "});
+                    " rotations at which the walls face the same ways."});
   story.remark = joined({effort,
-                         "Not listed: ",
+                         " Not listed: ",
                          std::to_string(num_repeated),
-                         " proposals that fell into the basin of a better one, ",
+                         " proposals in the basin of a better one, ",
                          std::to_string(num_left_out),
-                         " dropped on a few samples."});
+                         " that lost by more."});
 }
 
 /// Correlation curves at the answer's rotation and at the best clearly different ones.

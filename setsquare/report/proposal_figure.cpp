@@ -13,7 +13,7 @@ namespace setsquare {
 namespace {
 
 constexpr double kRow_px = 22.0;
-constexpr double kNumberColumn_px = 128.0;
+constexpr double kNumberColumn_px = 120.0;
 constexpr double kFirstColumn_px = 52.0;
 
 }  // namespace

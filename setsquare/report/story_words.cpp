@@ -10,6 +10,37 @@
 namespace setsquare {
 namespace {
 
+/// What the status of the default matcher means, in a sentence.
+std::string words_of_status(const MatchResult& result) {
+  switch (result.status) {
+    case MatchStatus::kMatched:
+      return "Matched: the scans determine the pose, and no other explains them as well.";
+    case MatchStatus::kAmbiguous:
+      return "Ambiguous: another pose explains the scans almost as well, or none explains them "
+             "well.";
+    case MatchStatus::kDegenerate:
+      return "Degenerate: the scans do not determine the motion along one direction.";
+    case MatchStatus::kNoOverlap:
+      return "No overlap: no proposal explains enough of the scans.";
+    case MatchStatus::kTooFewPoints:
+      return "Too few points: a scan has too few returns to say anything.";
+    case MatchStatus::kRejected:
+      return "Rejected: the correlation did not reach the paper's threshold.";
+  }
+  return "";
+}
+
+std::string words_of_paper_status(const MatchResult& result) {
+  switch (result.status) {
+    case MatchStatus::kMatched:
+      return "Matched: the correlation exceeds the paper's threshold; nothing else was checked.";
+    case MatchStatus::kRejected:
+      return "Rejected: the correlation does not reach the paper's threshold.";
+    default:
+      return words_of_status(result);
+  }
+}
+
 std::string percent(double share) { return joined({fixed(100.0 * share, 1), " %"}); }
 
 std::string words_of_zncc(const MatchResult& result) {
@@ -78,25 +109,6 @@ std::string words_of_difference(const Pose2& from, const Pose2& to) {
                  " deg away"});
 }
 
-std::string words_of_status(const MatchResult& result) {
-  switch (result.status) {
-    case MatchStatus::kMatched:
-      return "Matched: the scans determine the pose, and no other explains them as well.";
-    case MatchStatus::kAmbiguous:
-      return "Ambiguous: another pose explains the scans almost as well, or none explains them "
-             "well.";
-    case MatchStatus::kDegenerate:
-      return "Degenerate: the scans do not determine the motion along one direction.";
-    case MatchStatus::kNoOverlap:
-      return "No overlap: no proposal explains enough of the scans.";
-    case MatchStatus::kTooFewPoints:
-      return "Too few points: a scan has too few returns to say anything.";
-    case MatchStatus::kRejected:
-      return "Rejected: the correlation did not reach the paper's threshold.";
-  }
-  return "";
-}
-
 std::vector<std::string> evidence_in_words(const MatchResult& result, const MatchParams& params) {
   std::vector<std::string> words = {words_of_status(result), words_of_answer(result)};
   if (!result.T_reference_current) return words;
@@ -126,7 +138,7 @@ std::vector<std::string> evidence_in_words(const MatchResult& result, const Matc
 }
 
 std::vector<std::string> evidence_in_words(const MatchResult& result, const PaperParams& params) {
-  std::vector<std::string> words = {words_of_status(result), words_of_answer(result)};
+  std::vector<std::string> words = {words_of_paper_status(result), words_of_answer(result)};
   if (!result.T_reference_current) return words;
   words.push_back(joined({words_of_zncc(result),
                           "; the paper asks for more than ",

@@ -18,9 +18,6 @@ namespace setsquare {
 /// "0.12 m and 3.4 deg away": how far one pose is from another.
 [[nodiscard]] std::string words_of_difference(const Pose2& from, const Pose2& to);
 
-/// What the status means, in a sentence.
-[[nodiscard]] std::string words_of_status(const MatchResult& result);
-
 /// The default matcher's answer with its evidence, a sentence each.
 [[nodiscard]] std::vector<std::string> evidence_in_words(const MatchResult& result,
                                                          const MatchParams& params);
