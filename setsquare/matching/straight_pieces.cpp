@@ -9,16 +9,36 @@
 namespace setsquare {
 namespace {
 
-/// Distance of point i from the line through points a and b; from a where the two coincide.
-double distance_from_chord(const PointSet& points, std::size_t i, std::size_t a, std::size_t b) {
-  const double chord_x = points.x_m[b] - points.x_m[a];
-  const double chord_y = points.y_m[b] - points.y_m[a];
-  const double to_x = points.x_m[i] - points.x_m[a];
-  const double to_y = points.y_m[i] - points.y_m[a];
-  const double length_m = std::hypot(chord_x, chord_y);
-  if (length_m < 1e-9) return std::hypot(to_x, to_y);
-  return std::abs(chord_x * to_y - chord_y * to_x) / length_m;
+double distance_between(const PointSet& points, std::size_t a, std::size_t b) {
+  const double dx_m = points.x_m[b] - points.x_m[a];
+  const double dy_m = points.y_m[b] - points.y_m[a];
+  return std::sqrt(dx_m * dx_m + dy_m * dy_m);
 }
+
+/// The line through two points; where they coincide, the distance from it is that from them.
+class Chord {
+ public:
+  Chord(const PointSet& points, std::size_t a, std::size_t b) : points_(points), from_(a) {
+    const double length_m = distance_between(points, a, b);
+    is_point_ = length_m < 1e-9;
+    if (is_point_) return;
+    unit_x_ = (points.x_m[b] - points.x_m[a]) / length_m;
+    unit_y_ = (points.y_m[b] - points.y_m[a]) / length_m;
+  }
+
+  double distance_of(std::size_t i) const {
+    if (is_point_) return distance_between(points_, from_, i);
+    return std::abs(unit_x_ * (points_.y_m[i] - points_.y_m[from_]) -
+                    unit_y_ * (points_.x_m[i] - points_.x_m[from_]));
+  }
+
+ private:
+  const PointSet& points_;
+  std::size_t from_;
+  bool is_point_ = false;
+  double unit_x_ = 0.0;
+  double unit_y_ = 0.0;
+};
 
 /// Total least squares over the points [first, last].
 StraightPiece fit_piece(const PointSet& points, std::size_t first, std::size_t last) {
@@ -81,12 +101,13 @@ class Splitter {
 
   /// The first point of the run where none lies further off than the tolerance.
   std::size_t furthest_off_chord(const Run& run) const {
+    const Chord chord(points_, run.first, run.last);
     std::size_t furthest = run.first;
-    double distance_m = tolerance_m_;
+    double furthest_m = tolerance_m_;
     for (std::size_t i = run.first + 1; i < run.last; ++i) {
-      const double here_m = distance_from_chord(points_, i, run.first, run.last);
-      if (here_m > distance_m) {
-        distance_m = here_m;
+      const double here_m = chord.distance_of(i);
+      if (here_m > furthest_m) {
+        furthest_m = here_m;
         furthest = i;
       }
     }
@@ -106,11 +127,10 @@ bool is_gap(const PointSet& points,
             double bearing_step_rad,
             const StraightPieceParams& params) {
   if (points.beam[i] - points.beam[i - 1] > params.max_skipped_beams + 1) return true;
-  const double distance_m =
-      std::hypot(points.x_m[i] - points.x_m[i - 1], points.y_m[i] - points.y_m[i - 1]);
-  if (distance_m <= params.max_gap_m) return false;
+  const double apart_m = distance_between(points, i - 1, i);
+  if (apart_m <= params.max_gap_m) return false;
   const double range_m = std::hypot(points.x_m[i], points.y_m[i]);
-  return distance_m > range_m * std::abs(bearing_step_rad) * params.max_gap_beams;
+  return apart_m > range_m * std::abs(bearing_step_rad) * params.max_gap_beams;
 }
 
 }  // namespace
@@ -123,10 +143,9 @@ double surface_noise_m(const PointSet& points, double max_gap_m) {
   std::vector<double> distances_m;
   distances_m.reserve(points.size());
   for (std::size_t i = 1; i + 1 < points.size(); ++i) {
-    const double chord_m =
-        std::hypot(points.x_m[i + 1] - points.x_m[i - 1], points.y_m[i + 1] - points.y_m[i - 1]);
+    const double chord_m = distance_between(points, i - 1, i + 1);
     if (chord_m > 2.5 * max_gap_m || chord_m < 1e-6) continue;
-    distances_m.push_back(distance_from_chord(points, i, i - 1, i + 1));
+    distances_m.push_back(Chord(points, i - 1, i + 1).distance_of(i));
   }
   if (distances_m.size() < kMinSamples) return 0.0;
   const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
