@@ -6,12 +6,13 @@
 #include <cmath>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/matching/lanes.hpp"
 
 namespace setsquare {
 namespace {
 
 constexpr int kNumBins = AngleHistogram::kNumBins;
-constexpr int kSeparationBins = 4;
+constexpr int kSeparationBins = 2;
 
 /// Arc tangent within 0.005 rad: a hundredth of what the bins' width needs would be wasted.
 float approximate_bearing(float y, float x) {
@@ -25,8 +26,8 @@ float approximate_bearing(float y, float x) {
 }
 
 std::array<float, kNumBins> smooth(const std::array<float, kNumBins>& raw) {
-  constexpr int kReach = 2;
-  constexpr std::array<float, 2 * kReach + 1> kKernel{1.0F, 2.0F, 3.0F, 2.0F, 1.0F};
+  constexpr int kReach = 1;
+  constexpr std::array<float, 2 * kReach + 1> kKernel{1.0F, 2.0F, 1.0F};
   std::array<float, kNumBins + 2 * kReach> padded;
   for (int i = 0; i < kNumBins + 2 * kReach; ++i) {
     padded[i] = raw[(i - kReach + kNumBins) % kNumBins];
@@ -39,13 +40,10 @@ std::array<float, kNumBins> smooth(const std::array<float, kNumBins>& raw) {
 }
 
 float dot(const float* a, const float* b) {
-  // Eight partial sums: the compiler may use them as lanes, the order of the sum stays fixed.
-  std::array<float, 8> lanes{};
-  for (int i = 0; i < kNumBins; i += 8) {
-    for (int lane = 0; lane < 8; ++lane) lanes[lane] += a[i + lane] * b[i + lane];
-  }
-  return ((lanes[0] + lanes[4]) + (lanes[1] + lanes[5])) +
-         ((lanes[2] + lanes[6]) + (lanes[3] + lanes[7]));
+  static_assert(kNumBins % kLanes == 0);
+  Floats sum{};
+  for (std::size_t i = 0; i < kNumBins; i += kLanes) sum += load_lanes(a + i) * load_lanes(b + i);
+  return sum_of(sum);
 }
 
 }  // namespace

@@ -5,14 +5,19 @@
 #include <array>
 #include <vector>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/matching/surface_points.hpp"
 
 namespace setsquare {
 
-/// Length of wall by the direction that it faces: 360 bins of one degree of the walls' normals.
-/// Walls face the sensor, so opposite walls fall into opposite bins and a half turn shows.
+/// Length of wall by the direction that it faces: bins of two degrees of the walls' normals. Walls
+/// face the sensor, so opposite walls fall into opposite bins and a half turn shows.
 struct AngleHistogram {
-  static constexpr int kNumBins = 360;
+  static constexpr int kNumBins = 180;
+  /// Direction of a bin's middle, in rad, in [-pi, pi).
+  [[nodiscard]] static constexpr double direction_rad(int bin) {
+    return (bin + 0.5) * (kTwoPi / kNumBins) - kPi;
+  }
   std::array<float, kNumBins> length_m{};  ///< Smoothed over a few bins.
 };
 

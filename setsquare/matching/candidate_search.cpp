@@ -10,8 +10,8 @@
 namespace setsquare {
 namespace {
 
-constexpr std::array kCoarseTolerances_m{0.5, 0.4, 0.3, 0.25};
-constexpr std::array kFineTolerances_m{0.2, 0.2};
+constexpr std::array kCoarseTolerances_m{0.5, 0.35, 0.25};
+constexpr std::array kFineTolerances_m{0.2};
 
 /// Keeps the best `count` and returns the correlation that a further one must reach.
 int keep_best(std::size_t count, std::vector<TranslationProposal>& proposals) {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "setsquare/matching/wider_clones.hpp"
+
 namespace setsquare {
 namespace {
 
@@ -23,13 +25,37 @@ int cell_of(float coordinate_m) {
   return static_cast<int>(std::floor(coordinate_m * kCellsPerMetre));
 }
 
-/// Sixteen bytes in one register of any machine.
-using Bytes16 [[gnu::vector_size(16)]] = std::uint8_t;
+constexpr int kWindow = CorrelationGrid::kWindow;
+using WindowSums = std::array<std::array<std::uint8_t, kWindow>, kWindow>;
 
-Bytes16 load(const std::uint8_t* bytes) {
-  Bytes16 vector;
-  std::memcpy(&vector, bytes, sizeof vector);
-  return vector;
+/// Half a row of the window, in one register where the machine has such.
+using Bytes [[gnu::vector_size(kWindow / 2)]] = std::uint8_t;
+
+/// The sum of the samples' cells under every translation of the window, and which rows hold one
+/// that reaches the floor.
+SETSQUARE_WIDER_CLONES void sum_window(const std::uint8_t* const* first_cells,
+                                       std::size_t num_samples,
+                                       std::uint8_t floor,
+                                       WindowSums& sums,
+                                       std::array<bool, kWindow>& reaches_floor) {
+  for (int y = 0; y < kWindow; ++y) {
+    Bytes left{};
+    Bytes right{};
+    for (std::size_t k = 0; k < num_samples; ++k) {
+      const std::uint8_t* row = first_cells[k] + y * CorrelationGrid::kSide;
+      Bytes cells;
+      std::memcpy(&cells, row, sizeof cells);
+      left += cells;
+      std::memcpy(&cells, row + sizeof cells, sizeof cells);
+      right += cells;
+    }
+    std::memcpy(sums[y].data(), &left, sizeof left);
+    std::memcpy(sums[y].data() + sizeof left, &right, sizeof right);
+    const auto is_high = (left >= floor) | (right >= floor);
+    std::array<std::uint64_t, sizeof is_high / sizeof(std::uint64_t)> words;
+    std::memcpy(words.data(), &is_high, sizeof is_high);
+    reaches_floor[y] = (words[0] | words[1] | words[2] | words[3]) != 0;
+  }
 }
 
 }  // namespace
@@ -41,8 +67,11 @@ CorrelationGrid::CorrelationGrid(const SurfacePoints& points, const SurfaceImage
 }
 
 void CorrelationGrid::draw_free_space(const SurfaceImage& image) {
+  // Rays no denser than a cell's width at the grid's border.
+  constexpr int kNumRays = 512;
   const int num_sectors = static_cast<int>(image.sectors().size());
-  for (int k = 0; k < num_sectors; ++k) {
+  const int stride = std::max(1, num_sectors / kNumRays);
+  for (int k = stride / 2; k < num_sectors; k += stride) {
     const float free_m = std::min(std::sqrt(image.sectors()[k].free_square_m2),
                                   static_cast<float>(kHalfExtentCells * kCell_m));
     // The middle of the sector, from its diamond angle.
@@ -105,27 +134,6 @@ CorrelationGrid::Rows CorrelationGrid::rows_of(const SurfaceSamples& current,
   return rows;
 }
 
-CorrelationGrid::RowSum CorrelationGrid::sum_rows(const Rows& rows, int offset) {
-  static_assert(kWindow == 64);
-  Bytes16 a{};
-  Bytes16 b{};
-  Bytes16 c{};
-  Bytes16 d{};
-  for (std::size_t k = 0; k < rows.count; ++k) {
-    const std::uint8_t* row = rows.first[k] + offset;
-    a += load(row);
-    b += load(row + 16);
-    c += load(row + 32);
-    d += load(row + 48);
-  }
-  RowSum sum;
-  std::memcpy(sum.data(), &a, 16);
-  std::memcpy(sum.data() + 16, &b, 16);
-  std::memcpy(sum.data() + 32, &c, 16);
-  std::memcpy(sum.data() + 48, &d, 16);
-  return sum;
-}
-
 void CorrelationGrid::propose_translations(const SurfaceSamples& current,
                                            double rotation_rad,
                                            int min_correlation,
@@ -135,15 +143,11 @@ void CorrelationGrid::propose_translations(const SurfaceSamples& current,
   const int floor = std::max(1, min_correlation) + static_cast<int>(rows.count) * kUnknownValue;
   if (floor > 255) return;
 
-  alignas(64) std::array<std::array<std::uint8_t, kWindow>, kWindow> sums;
-  std::array<std::uint8_t, kWindow> row_max;
-  for (int y = 0; y < kWindow; ++y) {
-    const RowSum sum = sum_rows(rows, y * kSide);
-    std::memcpy(sums[y].data(), sum.data(), kWindow);
-    row_max[y] = *std::max_element(sums[y].begin() + 1, sums[y].end() - 1);
-  }
+  WindowSums sums;
+  std::array<bool, kWindow> reaches_floor;
+  sum_window(rows.first.data(), rows.count, static_cast<std::uint8_t>(floor), sums, reaches_floor);
   for (int y = 1; y + 1 < kWindow; ++y) {
-    if (row_max[y] < floor) continue;
+    if (!reaches_floor[y]) continue;
     for (int x = 1; x + 1 < kWindow; ++x) {
       const int value = sums[y][x];
       if (value < floor) continue;

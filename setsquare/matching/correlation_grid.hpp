@@ -30,6 +30,10 @@ class CorrelationGrid {
   static constexpr int kHalfExtentCells = 64;  ///< Surfaces up to 12.8 m from the sensor.
   static constexpr int kMaxSamples = 60;       ///< Keeps the sums within a byte.
 
+  static constexpr int kMargin = kHalfWindowCells + 1;
+  static constexpr int kWindow = 2 * kMargin;  ///< Translations along an axis; whole vectors.
+  static constexpr int kSide = 2 * (kHalfExtentCells + 2 * kMargin);
+
   CorrelationGrid(const SurfacePoints& points, const SurfaceImage& image);
 
   /// Appends the local maxima over the window at one rotation that reach `min_correlation`.
@@ -39,9 +43,6 @@ class CorrelationGrid {
                             std::vector<TranslationProposal>& proposals) const;
 
  private:
-  static constexpr int kWindow = 2 * kHalfWindowCells + 2;  // 64: whole vectors
-  static constexpr int kMargin = kHalfWindowCells + 1;
-  static constexpr int kSide = 2 * (kHalfExtentCells + 2 * kMargin);
   static constexpr int kCentre = kSide / 2;
 
   /// The cell under each sample at the window's first translation.
@@ -49,10 +50,8 @@ class CorrelationGrid {
     std::array<const std::uint8_t*, kMaxSamples> first;
     std::size_t count = 0;
   };
-  using RowSum = std::array<std::uint8_t, kWindow>;
 
   [[nodiscard]] Rows rows_of(const SurfaceSamples& current, double rotation_rad) const;
-  [[nodiscard]] static RowSum sum_rows(const Rows& rows, int offset);
   void draw_free_space(const SurfaceImage& image);
   void draw_surfaces(const SurfacePoints& points);
 

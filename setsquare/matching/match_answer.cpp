@@ -41,10 +41,11 @@ WeakestDirection weakest_direction(const Eigen::Matrix3d& hessian) {
           direction_rad < 0.0 ? direction_rad + kPi : direction_rad};
 }
 
-/// Direction of the reference's walls modulo 90 deg, to a degree: good enough for a profile.
+/// Direction of the reference's walls modulo 90 deg, to a bin: good enough for a profile.
 double wall_direction(const AngleHistogram& histogram) {
   constexpr int kQuarter = AngleHistogram::kNumBins / 4;
   int best = 0;
+  static_assert(AngleHistogram::kNumBins % 4 == 0);
   float best_length = -1.0F;
   for (int bin = 0; bin < kQuarter; ++bin) {
     float length = 0.0F;
@@ -54,7 +55,7 @@ double wall_direction(const AngleHistogram& histogram) {
       best = bin;
     }
   }
-  return rad_from_deg(best + 0.5);
+  return AngleHistogram::direction_rad(best);
 }
 
 std::vector<double> coordinates(const SurfaceSamples& samples, const Pose2& T, double axis_rad) {

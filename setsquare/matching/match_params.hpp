@@ -11,9 +11,9 @@ namespace setsquare {
 /// How proposals are searched: `num_rotations` of them, the best `num_coarse` refined with a few
 /// samples, the best `num_fine` of those with all.
 struct SearchParams {
-  std::size_t num_rotations = 8;
-  std::size_t num_coarse = 16;
-  std::size_t num_fine = 4;
+  std::size_t num_rotations = 6;
+  std::size_t num_coarse = 10;
+  std::size_t num_fine = 3;
 };
 
 /// When an answer stands. Lengths are of wall, seen from either scan.

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/refinement.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/LU>
 
 namespace setsquare {
 
@@ -16,7 +16,7 @@ Pose2 refine(const AlignedScan& reference,
   for (const double tolerance_m : tolerances_m) {
     const Alignment alignment = align(reference, current, T, tolerance_m);
     const Eigen::Matrix3d damped = alignment.hessian + kDamping * Eigen::Matrix3d::Identity();
-    const Eigen::Vector3d step = damped.ldlt().solve(-alignment.gradient);
+    const Eigen::Vector3d step = -(damped.inverse() * alignment.gradient);
     T = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
   }
   return T;

@@ -131,13 +131,20 @@ struct Window {
 };
 
 Window window_around(const SurfacePoints& points, std::size_t i, double radius_m) {
+  const float x_m = points.x_m[i];
+  const float y_m = points.y_m[i];
+  const float limit_m2 = static_cast<float>(radius_m * radius_m);
+  const auto is_within = [&](std::size_t k) {
+    const float dx_m = points.x_m[k] - x_m;
+    const float dy_m = points.y_m[k] - y_m;
+    return dx_m * dx_m + dy_m * dy_m <= limit_m2;
+  };
   Window window{i, i};
   while (window.first > 0 && points.joined[window.first - 1] &&
-         (window.first == i || distance(points, window.first - 1, i) <= radius_m)) {
+         (window.first == i || is_within(window.first - 1))) {
     --window.first;
   }
-  while (points.joined[window.last] &&
-         (window.last == i || distance(points, window.last + 1, i) <= radius_m)) {
+  while (points.joined[window.last] && (window.last == i || is_within(window.last + 1))) {
     ++window.last;
   }
   return window;
