@@ -42,7 +42,7 @@ struct MatchParams {
   AnswerParams answer;
   SearchParams quick;  ///< Rotations from the walls' directions.
   /// Every rotation of the circle: where the quick search finds nothing that stands.
-  SearchParams thorough{.num_rotations = 120, .num_coarse = 600, .num_fine = 40};
+  SearchParams thorough{.num_rotations = 120, .num_coarse = 300, .num_fine = 20};
 
   /// Throws ParameterError that names the field.
   void validate() const;
