@@ -19,7 +19,7 @@ struct ScanPair {
 };
 
 /// The pairs that a file of relations names, in its order, with their scans from the log. Throws
-/// what the readers throw, and FormatError where a stamp is not in the log.
+/// what the readers throw, and Error where a stamp is not in the log.
 [[nodiscard]] std::vector<ScanPair> read_pair_set(const std::string& log_path,
                                                   const std::string& relations_path);
 
