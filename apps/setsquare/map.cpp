@@ -18,18 +18,37 @@
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
+#include "setsquare/io/open_log.hpp"
 #include "setsquare/io/trajectory_tum.hpp"
 
 namespace setsquare::app {
 namespace {
 
-/// Makes the directory before the work begins, so that a wrong name is told at once.
-void make_directory(const std::string& path) {
-  std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw FileError(path, "cannot be made: " + error.message());
-  if (!std::filesystem::is_directory(path)) throw FileError(path, "is not a directory");
-}
+/// The directory of the results, made before the work begins, so that a wrong name is told at once.
+/// Where the work fails, a directory that it made and left empty goes again.
+class OutputDirectory {
+ public:
+  explicit OutputDirectory(const std::string& path) : path_(path) {
+    std::error_code error;
+    is_new_ = std::filesystem::create_directories(path_, error);
+    if (error) throw FileError(path, "cannot be made: " + error.message());
+    if (!std::filesystem::is_directory(path_)) throw FileError(path, "is not a directory");
+  }
+  ~OutputDirectory() {
+    std::error_code ignored;
+    if (is_new_ && std::filesystem::is_empty(path_, ignored)) {
+      std::filesystem::remove(path_, ignored);
+    }
+  }
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+  [[nodiscard]] std::string file(const std::string& name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+  bool is_new_ = false;
+};
 
 std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
   std::size_t count = 0;
@@ -62,16 +81,18 @@ void map_log(const MapOptions& options) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
   const auto start = Clock::now();
-  make_directory(options.output_path);
-  const MapRun run = run_map(options);
+  LogOptions log_options = options.log;
+  log_options.scans_only = true;
+  const auto reader = open_log(options.log_path, log_options);
+  const OutputDirectory directory(options.output_path);
+  const MapRun run = run_map(*reader, options);
   const double mapping_s = seconds_since(start);
 
   const auto picture_start = Clock::now();
-  const std::filesystem::path directory(options.output_path);
-  write_trajectory_tum(directory / "trajectory.tum",
+  write_trajectory_tum(directory.file("trajectory.tum"),
                        trajectory_from(run.track, options.is_of_sensor));
-  save_map_image(run, directory / "map.png");
-  save_file(directory / "run.json", run_json(options, run));
+  save_map_image(run, directory.file("map.png"));
+  save_file(directory.file("run.json"), run_json(options, run));
   tell(options, run, mapping_s, seconds_since(picture_start));
   tell_problems(options.log_path, run.problems);
 }

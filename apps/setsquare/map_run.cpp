@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "apps/setsquare/progress_bar.hpp"
-#include "setsquare/io/open_log.hpp"
 #include "setsquare/slam/mapper.hpp"
 #include "setsquare/slam/paper_mapper.hpp"
 
@@ -53,18 +52,15 @@ void feed(LogReader& reader, MapRun& run, Add add) {
 
 }  // namespace
 
-MapRun run_map(const MapOptions& options) {
-  LogOptions log_options = options.log;
-  log_options.scans_only = true;
-  const auto reader = open_log(options.log_path, log_options);
+MapRun run_map(LogReader& reader, const MapOptions& options) {
   MapRun run;
   if (options.preset == Preset::kPaper) {
     PaperMapper mapper;
-    feed(*reader, run, [&](const LogRecord& record) { return mapper.add(record.scan); });
+    feed(reader, run, [&](const LogRecord& record) { return mapper.add(record.scan); });
     run.track = mapper.finish();
   } else {
     Mapper mapper;
-    feed(*reader, run, [&](const LogRecord& record) {
+    feed(reader, run, [&](const LogRecord& record) {
       const std::optional<Pose2> T_wheels_base =
           options.uses_odometry ? record.T_odom_base : std::nullopt;
       run.num_with_odometry += T_wheels_base.has_value();
@@ -72,9 +68,9 @@ MapRun run_map(const MapOptions& options) {
     });
     run.track = mapper.finish();
   }
-  run.format = reader->format();
-  run.sensor = options.log.sensor.empty() ? reader->front_sensor() : options.log.sensor;
-  run.problems = reader->problems();
+  run.format = reader.format();
+  run.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
+  run.problems = reader.problems();
   return run;
 }
 

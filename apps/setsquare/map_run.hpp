@@ -39,8 +39,8 @@ struct MapRun {
   LogProblems problems;
 };
 
-/// Reads the log once, scan by scan, and maps it; shows how far it is. Throws FileError,
-/// FormatError, ParameterError.
-[[nodiscard]] MapRun run_map(const MapOptions& options);
+/// Reads the opened log to its end, scan by scan, and maps it; shows how far it is. Throws
+/// FileError, FormatError, ParameterError.
+[[nodiscard]] MapRun run_map(LogReader& reader, const MapOptions& options);
 
 }  // namespace setsquare::app

@@ -6,6 +6,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/surface_image.hpp"
+#include "setsquare/scan/scan.hpp"
 
 namespace setsquare {
 
@@ -14,6 +15,7 @@ struct Keyframe {
   std::size_t scan_index = 0;
   Pose2 T_odom_sensor;
   SurfaceImage image;
+  Scan scan;  ///< For the guess-free matcher, should tracking get lost.
 };
 
 }  // namespace setsquare

@@ -36,6 +36,9 @@ TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_b
   } else if (tracked.status == TrackStatus::kRecovered) {
     step_variance_rad2_ += rotation.recovered_sigma_rad * rotation.recovered_sigma_rad;
   }
+  if (tracked.is_restart) {
+    step_variance_rad2_ += rotation.restart_sigma_rad * rotation.restart_sigma_rad;
+  }
   if (tracked.is_keyframe) measure_heading(scan, tracked);
   tracked_.push_back({scan.stamp, tracked, scan.T_base_sensor});
   return tracked;

@@ -19,7 +19,8 @@ struct TrackedRotationParams {
   double step_sigma_rad = rad_from_deg(0.08);  ///< Of every step ...
   double sigma_per_turn = 0.01;                ///< ... and this share of the turn.
   double lost_sigma_rad = 0.05;                ///< Of each lost scan in between.
-  double recovered_sigma_rad = 0.2;            ///< Of each scan found again all around.
+  double recovered_sigma_rad = 0.2;            ///< Of each scan found again far off.
+  double restart_sigma_rad = 0.5;              ///< Of each new start of the submap.
 };
 
 /// Parameters of the mapper; every default works.

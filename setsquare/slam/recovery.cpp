@@ -2,52 +2,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/recovery.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "setsquare/matching/scan_matcher.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Refines from starts turned by -max_turn, -max_turn + step, ... max_turn; keeps the best score.
-void try_turns(const TrackingProblem& problem,
-               const Pose2& T_odom_last,
-               double max_turn_rad,
-               double step_rad,
-               const SubmapRefinementParams& refinement,
-               SubmapFit& best) {
-  const int num_steps = static_cast<int>(std::floor(max_turn_rad / step_rad + 1e-9));
-  for (int k = -num_steps; k <= num_steps; ++k) {
-    Pose2 start = T_odom_last;
-    start.theta_rad = wrap_to_pi(start.theta_rad + k * step_rad);
-    const SubmapFit fit = refine_in_submap(problem, start, refinement);
-    if (fit.alignment.score() > best.alignment.score()) best = fit;
-  }
+bool is_far_from(const Pose2& expected, const Pose2& found, const RecoveryParams& params) {
+  const Pose2 off = expected.inverse() * found;
+  return std::hypot(off.x_m, off.y_m) > params.near_m || std::abs(off.theta_rad) > params.near_rad;
 }
 
 }  // namespace
 
 std::optional<RecoveredFit> recover(const TrackingProblem& problem,
+                                    const Scan& scan,
                                     const SubmapFit& tracked,
-                                    const Pose2& T_odom_last,
                                     const RecoveryParams& params,
                                     const SubmapRefinementParams& refinement) {
-  SubmapRefinementParams wide = refinement;
-  wide.first_step = params.first_step;
-  wide.max_iterations = params.max_iterations;
-
-  SubmapFit best = tracked;
-  try_turns(problem, T_odom_last, params.near_turn_rad, params.near_step_rad, wide, best);
-  const double needed = tracked.alignment.score() + params.min_gain;
-  if (best.alignment.score() >= params.far_below_score) {
-    if (best.alignment.score() < needed) return std::nullopt;
-    return RecoveredFit{best, false};
+  const PreparedScan current = prepare(scan);
+  const std::size_t num_tried = std::min(params.num_keyframes, problem.submap.size());
+  std::optional<RecoveredFit> best;
+  double best_score = tracked.alignment.score() + params.min_gain;
+  for (std::size_t k = 0; k < num_tried; ++k) {
+    const Keyframe& keyframe = problem.submap[problem.submap.size() - 1 - k];
+    const MatchResult match = setsquare::match(prepare(keyframe.scan), current);
+    if (!match.T_reference_current) continue;
+    const Pose2 proposal = keyframe.T_odom_sensor * *match.T_reference_current;
+    const TrackingProblem at_proposal{problem.submap, problem.points, proposal, problem.marks};
+    const SubmapFit fit = refine_in_submap(at_proposal, proposal, refinement);
+    const double score = fit.alignment.score();
+    const bool is_far = is_far_from(problem.T_odom_predicted, fit.T_odom_sensor, params);
+    const bool is_certain = match.status == MatchStatus::kMatched && score >= params.far_min_score;
+    if (score < best_score || (is_far && !is_certain)) continue;
+    best = RecoveredFit{fit, is_far};
+    best_score = score;
+    if (score >= params.enough_score) break;
   }
-  SubmapFit far = best;
-  try_turns(problem, T_odom_last, kPi, params.far_step_rad, wide, far);
-  if (far.alignment.score() >= std::max(needed, params.far_min_score)) {
-    return RecoveredFit{far, true};
-  }
-  if (best.alignment.score() >= needed) return RecoveredFit{best, false};
-  return std::nullopt;
+  return best;
 }
 
 }  // namespace setsquare

@@ -4,6 +4,7 @@
 
 #include <optional>
 
+#include "setsquare/scan/scan.hpp"
 #include "setsquare/slam/submap_refinement.hpp"
 
 namespace setsquare {
@@ -11,15 +12,16 @@ namespace setsquare {
 /// A pose found again.
 struct RecoveredFit {
   SubmapFit fit;
-  bool is_far = false;  ///< Found by the search over the full circle, not near the last pose.
+  bool is_far = false;  ///< Far from where the scan was expected: not to be had by tracking.
 };
 
-/// Looks for a scan that does not fit where it was tracked: refinements from starts that stand
-/// where the last scan stood and are turned, first by little, then all around. Nothing where no
-/// start is convincingly better than `tracked`.
+/// Looks for a scan that does not fit where it was tracked. The guess-free matcher places it
+/// against the latest keyframes, one after the other, anywhere and at any turn; each proposal is
+/// refined in the whole submap. Nothing where none is convincingly better than `tracked`: a place
+/// far from the expected one needs a match that stands alone and a high score.
 [[nodiscard]] std::optional<RecoveredFit> recover(const TrackingProblem& problem,
+                                                  const Scan& scan,
                                                   const SubmapFit& tracked,
-                                                  const Pose2& T_odom_last,
                                                   const RecoveryParams& params,
                                                   const SubmapRefinementParams& refinement);
 

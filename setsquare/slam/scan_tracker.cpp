@@ -16,14 +16,21 @@ ScanTracker::ScanTracker(const ScanTrackerParams& params)
 
 TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
   const SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
-  TrackedPose tracked = submap_.empty() ? TrackedPose{} : place(points, T_wheels_sensor);
+  TrackedPose tracked = submap_.empty() ? TrackedPose{} : place(scan, points, T_wheels_sensor);
+  num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
+  if (num_lost_ >= params_.max_lost_scans) {
+    tracked.is_restart = true;
+    start_anew();
+  }
   keep_if_far(scan, points, tracked);
   motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
+  if (tracked.status == TrackStatus::kRecovered) motion_.restart();
   ++num_scans_;
   return tracked;
 }
 
-TrackedPose ScanTracker::place(const SurfacePoints& points,
+TrackedPose ScanTracker::place(const Scan& scan,
+                               const SurfacePoints& points,
                                const std::optional<Pose2>& T_wheels_sensor) {
   const Pose2 predicted = motion_.next(T_wheels_sensor);
   if (points.size() < params_.min_points) {
@@ -33,7 +40,7 @@ TrackedPose ScanTracker::place(const SurfacePoints& points,
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
   if (fit.alignment.score() < params_.recovery.below_score) {
-    const auto found = recover(problem, fit, motion_.last(), params_.recovery, params_.refinement);
+    const auto found = recover(problem, scan, fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
     if (found && found->is_far) status = TrackStatus::kRecovered;
   }
@@ -54,6 +61,13 @@ TrackedPose ScanTracker::place(const SurfacePoints& points,
           .weak = fit.weak};
 }
 
+/// The old keyframes' poses no longer mean anything to the coming scans, nor does the last motion.
+void ScanTracker::start_anew() {
+  submap_.clear();
+  motion_.restart();
+  num_lost_ = 0;
+}
+
 void ScanTracker::keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked) {
   if (!submap_.empty()) {
     const Pose2 moved = submap_.back().T_odom_sensor.inverse() * tracked.T_odom_sensor;
@@ -65,7 +79,8 @@ void ScanTracker::keep_if_far(const Scan& scan, const SurfacePoints& points, Tra
   tracked.is_keyframe = true;
   submap_.push_back({.scan_index = num_scans_,
                      .T_odom_sensor = tracked.T_odom_sensor,
-                     .image = SurfaceImage(scan, points, params_.image)});
+                     .image = SurfaceImage(scan, points, params_.image),
+                     .scan = scan});
 }
 
 }  // namespace setsquare

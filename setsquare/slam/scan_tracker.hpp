@@ -25,6 +25,7 @@ struct TrackedPose {
   TrackStatus status = TrackStatus::kTracked;
   Pose2 T_odom_sensor;
   bool is_keyframe = false;
+  bool is_restart = false;  ///< Lost for so long that the submap begins anew with this scan.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   WeakDirection weak;  ///< In the odom frame.
 };
@@ -33,7 +34,7 @@ struct TrackedPose {
 ///
 /// 1. Predict: from the odometry if there is any, else from the last motion.
 /// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
-/// 3. Recover where the scan does not fit: other turns, near first, then the full circle.
+/// 3. Recover where the scan does not fit: the guess-free matcher, anywhere and at any turn.
 /// 4. Search along the corridor where the walls leave a direction free.
 /// 5. Keep the scan as a keyframe where it is far enough from the last one.
 class ScanTracker {
@@ -45,7 +46,10 @@ class ScanTracker {
   TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor);
 
  private:
-  TrackedPose place(const SurfacePoints& points, const std::optional<Pose2>& T_wheels_sensor);
+  TrackedPose place(const Scan& scan,
+                    const SurfacePoints& points,
+                    const std::optional<Pose2>& T_wheels_sensor);
+  void start_anew();
   void keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked);
 
   ScanTrackerParams params_;
@@ -53,6 +57,7 @@ class ScanTracker {
   std::vector<Keyframe> submap_;
   PointMarks marks_;
   std::size_t num_scans_ = 0;
+  std::size_t num_lost_ = 0;  ///< In a row.
 };
 
 }  // namespace setsquare

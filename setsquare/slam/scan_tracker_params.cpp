@@ -19,8 +19,7 @@ void ScanTrackerParams::validate() const {
   require_positive(keyframe_distance_m, "keyframe_distance_m");
   require_positive(keyframe_turn_rad, "keyframe_turn_rad");
   surfaces.validate();
-  for (const AlignmentScale& scale :
-       {refinement.first_step, refinement.later_steps, recovery.first_step}) {
+  for (const AlignmentScale& scale : {refinement.first_step, refinement.later_steps}) {
     require_positive(scale.gate_m, "gate_m");
     require_positive(scale.scale_m, "scale_m");
   }
@@ -28,8 +27,7 @@ void ScanTrackerParams::validate() const {
   require_positive(corridor.step_m, "step_m");
   require_positive(corridor.scale_m, "scale_m");
   require_positive(corridor.motion_sigma_m, "motion_sigma_m");
-  require_positive(recovery.near_step_rad, "near_step_rad");
-  require_positive(recovery.far_step_rad, "far_step_rad");
+  if (max_lost_scans < 1) throw ParameterError("max_lost_scans", "must be at least 1");
 }
 
 }  // namespace setsquare

@@ -36,15 +36,13 @@ struct CorridorSearchParams {
 
 /// Parameters of finding the pose again.
 struct RecoveryParams {
-  double below_score = 0.4;                   ///< Tracked scores below this are looked at again.
-  double min_gain = 0.1;                      ///< A start must beat the tracked score by this much.
-  double near_turn_rad = rad_from_deg(32.0);  ///< First about the last pose within this turn,
-  double near_step_rad = rad_from_deg(8.0);   ///< from starts so far apart ...
-  double far_below_score = 0.3;  ///< ... and if the best still scores below this, everywhere,
-  double far_step_rad = rad_from_deg(5.0);  ///< from starts so far apart.
-  double far_min_score = 0.7;               ///< A far turn is believed only with this score.
-  AlignmentScale first_step{.gate_m = 0.8, .scale_m = 0.10};
-  int max_iterations = 30;
+  double below_score = 0.4;       ///< Scans tracked with less are looked at again.
+  double min_gain = 0.1;          ///< Another place must beat the tracked score by this much.
+  std::size_t num_keyframes = 3;  ///< Matched against, the latest first ...
+  double enough_score = 0.8;      ///< ... until one gives this score.
+  double near_m = 0.6;            ///< Beyond it, or ...
+  double near_rad = rad_from_deg(35.0);  ///< ... this, from the expected pose, a place is far ...
+  double far_min_score = 0.5;  ///< ... and must have this score, by a match that stands alone.
 };
 
 /// Parameters of the scan tracker.
@@ -59,7 +57,9 @@ struct ScanTrackerParams {
   CorridorSearchParams corridor;
   RecoveryParams recovery;
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
-  std::size_t min_points = 10;    ///< Scans with fewer returns are not matched.
+  /// After so many lost scans in a row the submap starts anew at the predicted pose.
+  std::size_t max_lost_scans = 5;
+  std::size_t min_points = 10;  ///< Scans with fewer returns are not matched.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -54,7 +54,9 @@ LineSums sum_lines(const SurfaceImage& image,
     const bool faces_alike = agreement > kMinNormalAgreement;
     const float magnitude_m = std::abs(distance_m);
     std::uint8_t mark = kCompared;
-    if (faces_alike && magnitude_m < kExplainedDistance_m) {
+    // Where no line fits (a post, clutter) nearness is all that can be asked.
+    const bool has_normal = points.normal_x[i] != 0.0F || points.normal_y[i] != 0.0F;
+    if ((faces_alike || !has_normal) && magnitude_m < kExplainedDistance_m) {
       mark |= kExplained;
     } else if (x_m * x_m + y_m * y_m < sector.free_square_m2) {
       mark |= kContradicted;
