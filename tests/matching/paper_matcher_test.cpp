@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "tests/matching/walled_world.hpp"
+#include "tests/support/walled_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
 namespace setsquare {

@@ -11,7 +11,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
 #include "tests/matching/random_points.hpp"
-#include "tests/matching/walled_world.hpp"
+#include "tests/support/walled_world.hpp"
 
 namespace setsquare {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
-#include "tests/matching/walled_world.hpp"
+#include "tests/support/walled_world.hpp"
 
 namespace setsquare {
 namespace {

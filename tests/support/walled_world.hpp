@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <random>
 #include <vector>
@@ -60,12 +61,14 @@ inline double cast_ray(const std::vector<Wall>& walls, double x_m, double y_m, d
   return nearest_m;
 }
 
-/// The scan of the walls from a pose, its ranges with normal noise.
+/// The scan of the walls from a pose, its ranges with normal noise; a share of the beams drops out:
+/// half of these give 0, half the code of a no-return.
 inline Scan scan_of_walls(const std::vector<Wall>& walls,
                           const Pose2& T_world_sensor,
                           const Fan& fan = {},
                           double noise_m = 0.0,
-                          std::uint64_t seed = 1) {
+                          std::uint64_t seed = 1,
+                          double dropout_share = 0.0) {
   std::mt19937_64 generator(seed);
   std::normal_distribution<double> noise(0.0, 1.0);
   Scan scan;
@@ -78,6 +81,9 @@ inline Scan scan_of_walls(const std::vector<Wall>& walls,
     const double range_m = cast_ray(
         walls, T_world_sensor.x_m, T_world_sensor.y_m, T_world_sensor.theta_rad + bearing_rad);
     scan.ranges_m.push_back(range_m + noise_m * noise(generator));
+    if (dropout_share <= 0.0) continue;
+    const double lot = std::uniform_real_distribution<double>(0.0, 1.0)(generator);
+    if (lot < dropout_share) scan.ranges_m.back() = lot < 0.5 * dropout_share ? 0.0 : 81.83;
   }
   return scan;
 }
