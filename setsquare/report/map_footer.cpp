@@ -16,7 +16,7 @@ namespace {
 
 // In heights of a capital letter.
 constexpr double kSymbolWidth = 2.2;
-constexpr double kGapToWords = 0.7;
+constexpr double kGapToWords = 0.9;
 constexpr double kGapBetweenEntries = 2.2;
 
 double width_of(const LegendEntry& entry) {
@@ -55,8 +55,8 @@ void draw_legend(Image& image,
   double x = end.x() - legend_width_px(entries, letter_px);
   for (const LegendEntry& entry : entries) {
     const double symbol_px = kSymbolWidth * letter_px;
-    if (entry.is_disc) {
-      fill_disc(image, {x + 0.5 * symbol_px, end.y()}, 0.6 * letter_px, entry.value);
+    if (entry.disc_radius > 0.0) {
+      fill_disc(image, {x + 0.5 * symbol_px, end.y()}, entry.disc_radius * letter_px, entry.value);
     } else {
       const std::array<PixelPoint, 2> line = {PixelPoint(x, end.y()),
                                               PixelPoint(x + symbol_px, end.y())};

@@ -14,7 +14,7 @@ namespace setsquare {
 struct LegendEntry {
   std::string words;
   Color value;
-  bool is_disc = false;
+  double disc_radius = 0.0;  ///< In heights of a capital letter; 0 for a piece of line.
 };
 
 /// Draws a bar of a round length, at most `max_length_px` long, with its label, from `start` to the

@@ -55,23 +55,26 @@ void draw_path(Image& image,
   }
 }
 
-void draw_mark(Image& image, const MapLayout& layout, const Eigen::Vector2d& place, Color value) {
-  const PixelPoint centre = layout.pixel_of(place);
-  fill_disc(image, centre, 0.85 * layout.letter_px, palette::kPaper);
-  fill_disc(image, centre, 0.6 * layout.letter_px, value);
+// In heights of a letter; where a path ends at its start, both marks show.
+constexpr double kStartRadius = 0.75;
+constexpr double kEndRadius = 0.45;
+
+void draw_mark(Image& image, const PixelPoint& centre, double radius_px, Color value) {
+  fill_disc(image, centre, 1.25 * radius_px + 1.0, palette::kPaper);
+  fill_disc(image, centre, radius_px, value);
 }
 
 std::vector<LegendEntry> legend_entries(std::size_t num_poses, Conditions conditions) {
   std::vector<LegendEntry> entries;
   if (num_poses == 0) return entries;
-  entries.push_back({"start", palette::kStart, true});
-  entries.push_back({"end", palette::kEnd, true});
+  entries.push_back({"start", palette::kStart, kStartRadius});
+  entries.push_back({"end", palette::kEnd, kEndRadius});
   for (const ConditionStyle& style : kConditionStyles) {
     bool is_present = false;
     for (std::size_t i = 0; i < num_poses; ++i) {
       is_present = is_present || has_condition(conditions, i, style.condition);
     }
-    if (is_present) entries.push_back({style.words, style.value, false});
+    if (is_present) entries.push_back({style.words, style.value});
   }
   return entries;
 }
@@ -109,8 +112,8 @@ Image map_picture(const OccupancyGrid& grid,
   draw_cells(image, layout.left_px, 0, grid, layout.box, layout.scale);
   draw_path(image, layout, path, conditions);
   if (!path.empty()) {
-    draw_mark(image, layout, path.front(), palette::kStart);
-    draw_mark(image, layout, path.back(), palette::kEnd);
+    draw_mark(image, layout.pixel_of(path.front()), kStartRadius * letter_px, palette::kStart);
+    draw_mark(image, layout.pixel_of(path.back()), kEndRadius * letter_px, palette::kEnd);
   }
   const double footer_px = 0.5 * (layout.map_height_px + layout.height_px);
   if (params.has_scale_bar) {
