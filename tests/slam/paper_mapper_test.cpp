@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/paper_mapper.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "tests/slam/simulated_drive.hpp"
+#include "tests/support/pose_matchers.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::between;
+using testing::drive;
+using testing::Fan;
+using testing::l_shaped_room;
+using testing::PoseNear;
+using testing::PoseTolerance;
+using testing::scans_on_drive;
+
+/// The paper's sensor: 270 degrees in steps of 0.25.
+Fan papers_fan() {
+  return {.num_beams = 1081,
+          .first_bearing_rad = rad_from_deg(-135.0),
+          .bearing_step_rad = rad_from_deg(0.25)};
+}
+
+TEST(PaperMapper, FollowsAWayThroughARoom) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.5, 2.0}, {2.0, 4.0}}, 0.2);
+  PaperMapper mapper;
+  for (const Scan& scan : scans_on_drive(l_shaped_room(), truth, 0.01, papers_fan())) {
+    mapper.add(scan);
+  }
+  const MappedTrack track = mapper.finish();
+  ASSERT_EQ(track.scans.size(), truth.size());
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ASSERT_EQ(track.scans[i].status, TrackStatus::kTracked) << i;
+    ASSERT_THAT(between(track.scans[0].T_map_sensor, track.scans[i].T_map_sensor),
+                PoseNear(between(truth[0], truth[i]),
+                         PoseTolerance{.translation_m = 0.15, .rotation_rad = rad_from_deg(1.0)}))
+        << i;
+  }
+  EXPECT_GT(track.keyframes.size(), 10U);
+}
+
+TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {3.5, 1.5}}, 0.2);
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, 0.01, papers_fan());
+  scans[4].ranges_m.assign(1081, 81.83);
+  PaperMapper mapper;
+  for (const Scan& scan : scans) mapper.add(scan);
+  const MappedTrack track = mapper.finish();
+  EXPECT_EQ(track.scans[4].status, TrackStatus::kLost);
+  EXPECT_EQ(track.scans[4].T_map_sensor, track.scans[3].T_map_sensor);
+  EXPECT_EQ(track.scans[5].status, TrackStatus::kTracked);
+}
+
+}  // namespace
+}  // namespace setsquare

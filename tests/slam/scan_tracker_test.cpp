@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/scan_tracker.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "setsquare/core/error.hpp"
+#include "tests/slam/simulated_drive.hpp"
+#include "tests/support/pose_matchers.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::bare_corridor;
+using testing::between;
+using testing::drive;
+using testing::Fan;
+using testing::l_shaped_room;
+using testing::PoseNear;
+using testing::PoseTolerance;
+using testing::scans_on_drive;
+using testing::way_around_the_room;
+
+constexpr double kNoise_m = 0.01;
+
+std::vector<TrackedPose> track_all(const std::vector<Scan>& scans,
+                                   const std::vector<Pose2>& T_wheels_sensor = {}) {
+  ScanTracker tracker;
+  std::vector<TrackedPose> tracked;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    std::optional<Pose2> wheels;
+    if (!T_wheels_sensor.empty()) wheels = T_wheels_sensor[i];
+    tracked.push_back(tracker.track(scans[i], wheels));
+  }
+  return tracked;
+}
+
+class ScanTrackerInRoom : public ::testing::TestWithParam<Fan> {};
+
+TEST_P(ScanTrackerInRoom, FollowsTheWayAround) {
+  const std::vector<Pose2> truth = drive(way_around_the_room());
+  const auto tracked = track_all(scans_on_drive(l_shaped_room(), truth, kNoise_m, GetParam()));
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    ASSERT_NE(tracked[i].status, TrackStatus::kLost) << i;
+    ASSERT_THAT(tracked[i].T_odom_sensor,
+                PoseNear(between(truth[0], truth[i]),
+                         PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}))
+        << i;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fans,
+                         ScanTrackerInRoom,
+                         ::testing::Values(Fan{},
+                                           Fan{.num_beams = 180,
+                                               .first_bearing_rad = 0.5 * kPi,
+                                               .bearing_step_rad = -kPi / 180.0},
+                                           Fan{.num_beams = 360, .first_bearing_rad = -kPi},
+                                           Fan{.num_beams = 1081,
+                                               .first_bearing_rad = rad_from_deg(-135.0),
+                                               .bearing_step_rad = rad_from_deg(0.25)}));
+
+TEST(ScanTracker, KeepsKeyframesAtTheirSpacing) {
+  const std::vector<Pose2> truth = drive({{1.0, 1.0}, {5.0, 1.0}});
+  const auto tracked = track_all(scans_on_drive(l_shaped_room(), truth, kNoise_m));
+  std::size_t num_keyframes = 0;
+  for (const TrackedPose& pose : tracked) num_keyframes += pose.is_keyframe;
+  EXPECT_TRUE(tracked.front().is_keyframe);
+  EXPECT_GE(num_keyframes, 9U);  // 4 m in steps of 0.45 m, as 0.4 m has to be exceeded
+  EXPECT_LE(num_keyframes, 11U);
+}
+
+TEST(ScanTracker, SaysThatABareCorridorLeavesItsDirectionOpen) {
+  const std::vector<Pose2> truth = drive({{0.0, 0.1}, {3.0, 0.1}});
+  const auto tracked = track_all(scans_on_drive(bare_corridor(), truth, kNoise_m));
+  for (std::size_t i = 1; i < tracked.size(); ++i) {
+    EXPECT_EQ(tracked[i].status, TrackStatus::kDegenerate) << i;
+    EXPECT_GT(std::abs(tracked[i].weak.direction.x()), 0.999) << "along the corridor";
+    EXPECT_NEAR(tracked[i].T_odom_sensor.y_m, 0.0, 0.03) << "across it the walls bind";
+  }
+}
+
+TEST(ScanTracker, AlongABareCorridorTheOdometryIsTrusted) {
+  const std::vector<Pose2> truth = drive({{0.0, 0.1}, {6.0, 0.1}});
+  const auto tracked = track_all(scans_on_drive(bare_corridor(), truth, kNoise_m), truth);
+  EXPECT_NEAR(tracked.back().T_odom_sensor.x_m, 6.0, 0.3);
+}
+
+TEST(ScanTracker, OdometryOfTheWrongSignDoesNoHarmWhereWallsBind) {
+  const std::vector<Pose2> truth = drive(way_around_the_room());
+  std::vector<Pose2> wheels{truth[0]};
+  for (std::size_t i = 1; i < truth.size(); ++i) {
+    Pose2 step = between(truth[i - 1], truth[i]);
+    if (i % 3 != 0) step.x_m = -step.x_m;
+    wheels.push_back(wheels.back() * step);
+  }
+  const auto tracked = track_all(scans_on_drive(l_shaped_room(), truth, kNoise_m), wheels);
+  EXPECT_THAT(tracked.back().T_odom_sensor,
+              PoseNear(between(truth.front(), truth.back()),
+                       PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+}
+
+TEST(ScanTracker, FindsItselfAgainAfterAGapWithALargeTurn) {
+  std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
+  Pose2 after_gap = truth.back();
+  after_gap.theta_rad = rad_from_deg(83.0);
+  after_gap.x_m += 0.3;
+  for (int i = 0; i < 5; ++i) truth.push_back(after_gap);
+  const auto tracked = track_all(scans_on_drive(l_shaped_room(), truth, kNoise_m));
+  EXPECT_EQ(tracked[truth.size() - 5].status, TrackStatus::kRecovered);
+  EXPECT_EQ(tracked.back().status, TrackStatus::kTracked);
+  EXPECT_THAT(tracked.back().T_odom_sensor,
+              PoseNear(between(truth.front(), truth.back()),
+                       PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+}
+
+TEST(ScanTracker, BlindScansAreLostAndTheWayGoesOn) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {5.0, 1.5}});
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  for (std::size_t i = 30; i < 33; ++i) scans[i].ranges_m.assign(180, 81.83);
+  const auto tracked = track_all(scans);
+  for (std::size_t i = 30; i < 33; ++i) EXPECT_EQ(tracked[i].status, TrackStatus::kLost);
+  EXPECT_THAT(tracked.back().T_odom_sensor,
+              PoseNear(between(truth.front(), truth.back()),
+                       PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+}
+
+TEST(ScanTracker, StartsAnewWhereItStaysLost) {
+  std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  // Carried into another building.
+  const std::vector<Pose2> elsewhere(12, Pose2{0.0, 0.0, 0.0});
+  const std::vector<testing::Wall> other{{-0.5, -3.0, 1.7, 2.0}, {1.7, 2.0, -0.6, 2.6}};
+  for (Scan& scan : scans_on_drive(other, elsewhere, kNoise_m)) scans.push_back(scan);
+  const auto tracked = track_all(scans);
+  std::size_t num_restarts = 0;
+  for (const TrackedPose& pose : tracked) num_restarts += pose.is_restart;
+  EXPECT_EQ(num_restarts, 1U);
+  EXPECT_NE(tracked.back().status, TrackStatus::kLost);
+}
+
+TEST(ScanTracker, NamesABadParameter) {
+  ScanTrackerParams params;
+  params.num_keyframes = 0;
+  EXPECT_THROW(ScanTracker{params}, ParameterError);
+  params = {};
+  params.keyframe_distance_m = 0.0;
+  EXPECT_THROW(ScanTracker{params}, ParameterError);
+}
+
+}  // namespace
+}  // namespace setsquare
