@@ -24,8 +24,11 @@ class SaveFile : public ::testing::Test {
   void SetUp() override { std::filesystem::create_directory(folder_); }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
+  /// One a test: CTest runs them side by side.
   const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) / "setsquare_save_file_test";
+      std::filesystem::path(::testing::TempDir()) /
+      (std::string("setsquare_save_file_") +
+       ::testing::UnitTest::GetInstance()->current_test_info()->name());
 };
 
 TEST_F(SaveFile, ReplacesAndLeavesNothingElseBehind) {
