@@ -24,7 +24,7 @@ class CorridorScore {
   }
 
   double operator()(const Pose2& T) const {
-    const double sigmas = off_prediction_m(T) / params_.motion_sigma_m;
+    const double sigmas = off_prediction_m(T) / problem_.trust.sigma_m;
     return closeness_to_submap(problem_.submap, problem_.points, T, params_.scale_m) -
            params_.motion_cost * sigmas * sigmas;
   }
@@ -56,13 +56,14 @@ SubmapFit search_along_corridor(const TrackingProblem& problem,
     best_score = candidate_score;
   }
   const double fit_score = score(fit.T_odom_sensor);
-  if (best_score <= fit_score) return fit;
+  if (best_score <= fit_score + problem.trust.min_gain) return fit;
 
   SubmapRefinementParams settle = refinement;
   settle.first_step = refinement.later_steps;
-  const TrackingProblem from_best{problem.submap, problem.points, best, problem.marks};
+  const TrackingProblem from_best{
+      problem.submap, problem.points, best, problem.trust, problem.marks};
   const SubmapFit found = refine_in_submap(from_best, best, settle);
-  return score(found.T_odom_sensor) > fit_score ? found : fit;
+  return score(found.T_odom_sensor) > fit_score + problem.trust.min_gain ? found : fit;
 }
 
 }  // namespace setsquare

@@ -30,7 +30,7 @@ Pose2 MotionPrediction::next_by_last_motion() const {
 }
 
 Pose2 MotionPrediction::next(const std::optional<Pose2>& T_wheels_sensor) const {
-  if (!T_wheels_sensor || !T_wheels_sensor_) return next_by_last_motion();
+  if (!has_odometry(T_wheels_sensor)) return next_by_last_motion();
   return poses_.back() * (T_wheels_sensor_->inverse() * *T_wheels_sensor);
 }
 

@@ -27,6 +27,11 @@ class MotionPrediction {
   /// The expected pose of the next scan. Not to be called before the first add().
   [[nodiscard]] Pose2 next(const std::optional<Pose2>& T_wheels_sensor) const;
 
+  /// Whether next() is the odometry's.
+  [[nodiscard]] bool has_odometry(const std::optional<Pose2>& T_wheels_sensor) const {
+    return T_wheels_sensor && T_wheels_sensor_;
+  }
+
   /// The same from the last motion alone.
   [[nodiscard]] Pose2 next_by_last_motion() const;
 

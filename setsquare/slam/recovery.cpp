@@ -31,7 +31,8 @@ std::optional<RecoveredFit> recover(const TrackingProblem& problem,
     const MatchResult match = setsquare::match(prepare(keyframe.scan), current);
     if (!match.T_reference_current) continue;
     const Pose2 proposal = keyframe.T_odom_sensor * *match.T_reference_current;
-    const TrackingProblem at_proposal{problem.submap, problem.points, proposal, problem.marks};
+    const TrackingProblem at_proposal{
+        problem.submap, problem.points, proposal, problem.trust, problem.marks};
     const SubmapFit fit = refine_in_submap(at_proposal, proposal, refinement);
     const double score = fit.alignment.score();
     const bool is_far = is_far_from(problem.T_odom_predicted, fit.T_odom_sensor, params);

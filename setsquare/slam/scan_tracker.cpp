@@ -36,7 +36,10 @@ TrackedPose ScanTracker::place(const Scan& scan,
   if (points.size() < params_.min_points) {
     return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .weak = {}};
   }
-  const TrackingProblem problem{submap_, points, predicted, marks_};
+  const PredictionTrust& trust = motion_.has_odometry(T_wheels_sensor)
+                                     ? params_.trust_in_odometry
+                                     : params_.trust_in_last_motion;
+  const TrackingProblem problem{submap_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
   if (fit.alignment.score() < params_.recovery.below_score) {

@@ -26,7 +26,8 @@ void ScanTrackerParams::validate() const {
   require_positive(refinement.max_step_m, "max_step_m");
   require_positive(corridor.step_m, "step_m");
   require_positive(corridor.scale_m, "scale_m");
-  require_positive(corridor.motion_sigma_m, "motion_sigma_m");
+  require_positive(trust_in_odometry.sigma_m, "trust_in_odometry.sigma_m");
+  require_positive(trust_in_last_motion.sigma_m, "trust_in_last_motion.sigma_m");
   if (max_lost_scans < 1) throw ParameterError("max_lost_scans", "must be at least 1");
 }
 

@@ -11,6 +11,13 @@
 
 namespace setsquare {
 
+/// How far a prediction is believed along a direction that the walls leave free.
+struct PredictionTrust {
+  double weight = 2.0;    ///< Of each effective point that is missing.
+  double sigma_m = 0.15;  ///< How far off it is taken to be.
+  double min_gain = 0.0;  ///< Closeness that a place elsewhere along the corridor must gain.
+};
+
 /// Parameters of the Gauss-Newton refinement against the submap.
 struct SubmapRefinementParams {
   AlignmentScale first_step{.gate_m = 0.30, .scale_m = 0.10};   ///< Catches.
@@ -21,7 +28,6 @@ struct SubmapRefinementParams {
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
-  double prediction_weight = 2.0;  ///< Of each missing point.
 };
 
 /// Parameters of the search along a corridor.
@@ -29,9 +35,8 @@ struct CorridorSearchParams {
   double below_effective_points = 4.0;  ///< Only scans bound more weakly are searched.
   double half_range_m = 0.6;            ///< About the prediction.
   double step_m = 0.05;
-  double scale_m = 0.06;         ///< Closeness of points to surfaces.
-  double motion_sigma_m = 0.15;  ///< How far off the prediction is taken to be.
-  double motion_cost = 0.02;     ///< Closeness given up for one sigma off the prediction.
+  double scale_m = 0.06;      ///< Closeness of points to surfaces.
+  double motion_cost = 0.02;  ///< Closeness given up for one sigma off the prediction.
 };
 
 /// Parameters of finding the pose again.
@@ -56,6 +61,8 @@ struct ScanTrackerParams {
   SubmapRefinementParams refinement;
   CorridorSearchParams corridor;
   RecoveryParams recovery;
+  PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
+  PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.0};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
   /// After so many lost scans in a row the submap starts anew at the predicted pose.
   std::size_t max_lost_scans = 5;

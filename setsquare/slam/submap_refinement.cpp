@@ -13,15 +13,16 @@ constexpr double kDamping = 1e-3;
 
 /// The Gauss-Newton step, with the prediction along the weak direction.
 Eigen::Vector3d step_from(const SubmapFit& fit,
-                          const Pose2& T_odom_predicted,
+                          const TrackingProblem& problem,
                           const SubmapRefinementParams& params) {
   Eigen::Matrix3d hessian = fit.alignment.hessian + kDamping * Eigen::Matrix3d::Identity();
   Eigen::Vector3d gradient = fit.alignment.gradient;
   const double missing_points = params.min_effective_points - fit.weak.effective_points;
   if (missing_points > 0.0) {
-    const double weight = params.prediction_weight * missing_points;
+    const double weight = problem.trust.weight * missing_points;
     const Eigen::Vector2d& u = fit.weak.direction;
-    const Eigen::Vector2d off = fit.T_odom_sensor.translation() - T_odom_predicted.translation();
+    const Eigen::Vector2d off =
+        fit.T_odom_sensor.translation() - problem.T_odom_predicted.translation();
     hessian.topLeftCorner<2, 2>() += weight * u * u.transpose();
     gradient.head<2>() += weight * u.dot(off) * u;
   }
@@ -43,7 +44,7 @@ SubmapFit refine_in_submap(const TrackingProblem& problem,
     fit.T_odom_sensor = T;
     fit.alignment = align_with_submap(problem.submap, problem.points, T, scale, problem.marks);
     fit.weak = weak_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
-    const Eigen::Vector3d step = step_from(fit, problem.T_odom_predicted, params);
+    const Eigen::Vector3d step = step_from(fit, problem, params);
     T = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
     if (step.head<2>().norm() < params.converged_m && std::abs(step.z()) < params.converged_rad) {
       break;

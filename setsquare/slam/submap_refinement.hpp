@@ -14,7 +14,8 @@ namespace setsquare {
 struct TrackingProblem {
   std::span<const Keyframe> submap;
   const SurfacePoints& points;
-  Pose2 T_odom_predicted;  ///< Where the scan is expected.
+  Pose2 T_odom_predicted;  ///< Where the scan is expected ...
+  PredictionTrust trust;   ///< ... and how far that is believed.
   PointMarks& marks;
 };
 

@@ -131,16 +131,21 @@ TEST(ScanTracker, BlindScansAreLostAndTheWayGoesOn) {
 }
 
 TEST(ScanTracker, StartsAnewWhereItStaysLost) {
-  std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
   std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
   // Carried into another building.
   const std::vector<Pose2> elsewhere(12, Pose2{0.0, 0.0, 0.0});
-  const std::vector<testing::Wall> other{{-0.5, -3.0, 1.7, 2.0}, {1.7, 2.0, -0.6, 2.6}};
+  const std::vector<testing::Wall> other{{0.4, -0.5, 0.6, 0.1},
+                                         {0.6, 0.1, 0.3, 0.2},
+                                         {0.3, 0.2, 0.5, 0.6},
+                                         {0.5, 0.6, -0.2, 0.5},
+                                         {-0.2, -0.4, 0.4, -0.5}};
   for (Scan& scan : scans_on_drive(other, elsewhere, kNoise_m)) scans.push_back(scan);
   const auto tracked = track_all(scans);
   std::size_t num_restarts = 0;
   for (const TrackedPose& pose : tracked) num_restarts += pose.is_restart;
   EXPECT_EQ(num_restarts, 1U);
+  EXPECT_TRUE(tracked[truth.size() + 4].is_restart) << "the fifth scan that nothing explains";
   EXPECT_NE(tracked.back().status, TrackStatus::kLost);
 }
 

@@ -70,7 +70,7 @@ TEST_F(SubmapAlignmentTest, RefinementFindsThePlaceFromAside) {
   const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
   for (const Pose2& off : {Pose2{0.15, 0.0, 0.0}, Pose2{-0.1, 0.1, 0.05}, Pose2{0.0, -0.1, -0.1}}) {
     const Pose2 start = pose * off;
-    const SubmapFit fit = refine_in_submap({submap_, points, start, marks_}, start, {});
+    const SubmapFit fit = refine_in_submap({submap_, points, start, {}, marks_}, start, {});
     EXPECT_THAT(fit.T_odom_sensor,
                 PoseNear(pose, PoseTolerance{.translation_m = 0.003, .rotation_rad = 0.001}));
     EXPECT_GT(fit.weak.effective_points, 3.0);
