@@ -78,14 +78,17 @@ double overlap(const PreparedScan& reference, const PreparedScan& current, const
   return seen.wall_m > 0.0 ? seen.agreeing_m / seen.wall_m : 0.0;
 }
 
+bool stands(double score, double margin, const AnswerParams& params) {
+  return (score >= params.min_score && margin >= params.min_margin) ||
+         (score >= params.min_score_alone && margin >= params.min_margin_alone);
+}
+
 MatchStatus judge(const MatchResult& result, double constraint_m, const AnswerParams& params) {
   if (result.agreement < params.min_agreement) return MatchStatus::kNoOverlap;
   if (constraint_m < params.min_constraint_m) return MatchStatus::kDegenerate;
-  const double runner_up_score = result.runner_up ? result.runner_up->score : -1.0;
-  if (result.score < params.min_score || result.score - runner_up_score < params.min_margin) {
-    return MatchStatus::kAmbiguous;
-  }
-  return MatchStatus::kMatched;
+  // Without a runner-up nothing else was found at all: the margin is the score itself.
+  const double margin = result.score - (result.runner_up ? result.runner_up->score : 0.0);
+  return stands(result.score, margin, params) ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ void MatchParams::validate() const {
   require(score.contradiction_weight >= 0.0, "contradiction_weight", "must not be negative");
   require(score.hidden_weight >= 0.0, "hidden_weight", "must not be negative");
   require(answer.min_margin >= 0.0, "min_margin", "must not be negative");
+  require(answer.min_margin_alone >= 0.0, "min_margin_alone", "must not be negative");
   require(answer.min_constraint_m >= 0.0, "min_constraint_m", "must not be negative");
   require(answer.same_translation_m > 0.0, "same_translation_m", "must be positive");
   require(answer.same_rotation_rad > 0.0, "same_rotation_rad", "must be positive");

@@ -18,13 +18,14 @@ struct SearchParams {
 
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
-  std::size_t min_points = 10;    ///< Returns that a scan must have at least.
-  double min_score = 0.24;        ///< Below it nothing is claimed.
-  double min_margin = 0.05;       ///< Score above the best different pose.
-  double min_constraint_m = 0.4;  ///< Wall that must hold the weakest direction of the pose.
-  double min_agreement = 0.10;    ///< Below it the scans do not overlap.
-  double same_translation_m =
-      0.30;  ///< Poses nearer than this and `same_rotation_rad` are one answer.
+  std::size_t min_points = 10;     ///< Returns that a scan must have at least.
+  double min_score = 0.24;         ///< An answer stands by its score ...
+  double min_margin = 0.05;        ///< ... and a margin above the best different pose,
+  double min_score_alone = 0.10;   ///< or, where much is hidden or has moved, by a lower score ...
+  double min_margin_alone = 0.25;  ///< ... and a wide margin: nothing else comes near.
+  double min_constraint_m = 0.5;   ///< Wall that must hold the weakest direction of the pose.
+  double min_agreement = 0.10;     ///< Below it the scans do not overlap.
+  double same_translation_m = 0.30;  ///< Poses nearer than both of these are one answer.
   double same_rotation_rad = 0.10;
 };
 
