@@ -73,6 +73,7 @@ void ScanTracker::start_anew() {
 
 void ScanTracker::keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked) {
   if (!submap_.empty()) {
+    if (tracked.status == TrackStatus::kLost) return;  // It would stand at a guessed place.
     const Pose2 moved = submap_.back().T_odom_sensor.inverse() * tracked.T_odom_sensor;
     const bool is_far = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
                         std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
