@@ -31,7 +31,8 @@ std::vector<MatchSection> match_sections(const MatchStory& story) {
   sections.push_back(
       {"5. Proposals, and why they lost", story.remark, proposal_figure(story), true});
   sections.push_back({"6. The two scans laid over each other",
-                      "At the answer and at the best different pose.",
+                      "At the answer and, if there is one, at the best different pose. Marked red: "
+                      "returns where the other scan saw through.",
                       overlay_figure(story)});
   return sections;
 }

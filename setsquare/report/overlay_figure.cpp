@@ -14,7 +14,6 @@
 namespace setsquare {
 namespace {
 
-constexpr double kPanelWidth_px = kFigureWidth_px / 2.0;
 constexpr double kHeight_px = 620.0;
 
 /// Where either scan contradicts the other, in the reference's frame.
@@ -29,19 +28,21 @@ std::vector<Eigen::Vector2d> contradicted_places(const MatchStory& story,
   return places;
 }
 
+/// In the column of so many; the only one has the whole width.
 void draw_overlay(SvgCanvas& canvas,
                   int column,
+                  int num_columns,
                   const MatchStory& story,
                   const std::string& name,
                   const Pose2& T_reference_current) {
-  const Eigen::Vector2d size(kPanelWidth_px, kHeight_px);
+  const Eigen::Vector2d size(kFigureWidth_px / num_columns, kHeight_px);
   const auto reference = plotted_points(story.reference.points);
   const auto current = plotted_points(story.current.points, T_reference_current);
   std::vector<Eigen::Vector2d> all = reference;
   all.insert(all.end(), current.begin(), current.end());
   const EqualRanges ranges = equal_ranges(all, size);
   PlotPanel panel(canvas,
-                  {kPanelWidth_px * column, 0.0},
+                  {size.x() * column, 0.0},
                   size,
                   ranges.x,
                   ranges.y,
@@ -84,9 +85,12 @@ SvgCanvas overlay_figure(const MatchStory& story) {
     canvas.text({52.0, 40.0}, "There is no pose at which to lay the scans over each other.");
     return canvas;
   }
-  draw_overlay(canvas, 0, story, "Answer", story.proposals.front().T_reference_current);
-  if (const StoryProposal* other = best_other_proposal(story)) {
-    draw_overlay(canvas, 1, story, "Runner-up", other->T_reference_current);
+  const StoryProposal* const other = best_other_proposal(story);
+  const int num_columns = other != nullptr ? 2 : 1;
+  draw_overlay(
+      canvas, 0, num_columns, story, "Answer", story.proposals.front().T_reference_current);
+  if (other != nullptr) {
+    draw_overlay(canvas, 1, num_columns, story, "Runner-up", other->T_reference_current);
   }
   return canvas;
 }

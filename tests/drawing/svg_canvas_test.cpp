@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "tests/drawing/xml_fault.hpp"
+#include "tests/support/xml_fault.hpp"
 
 namespace setsquare {
 namespace {

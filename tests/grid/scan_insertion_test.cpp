@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "tests/grid/rectangular_room.hpp"
+#include "tests/support/rectangular_room.hpp"
 
 namespace setsquare {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/grid/rectangular_room.hpp"
+#include "tests/support/rectangular_room.hpp"
 
 namespace setsquare {
 namespace {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "setsquare/report/match_sections.hpp"
-#include "tests/drawing/xml_fault.hpp"
-#include "tests/grid/rectangular_room.hpp"
+#include "tests/support/rectangular_room.hpp"
+#include "tests/support/xml_fault.hpp"
 
 namespace setsquare {
 namespace {

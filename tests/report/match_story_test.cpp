@@ -8,8 +8,8 @@
 
 #include "setsquare/report/match_figures.hpp"
 #include "setsquare/report/story_scan.hpp"
-#include "tests/grid/rectangular_room.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/support/rectangular_room.hpp"
 
 namespace setsquare {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "tests/drawing/xml_fault.hpp"
+#include "tests/support/xml_fault.hpp"
 
 #include <cctype>
 #include <set>
