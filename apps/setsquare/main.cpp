@@ -45,9 +45,10 @@ int main(int argc, char** argv) {
     application.require_subcommand(1);
     application.footer(
         "Examples:\n"
-        "  setsquare info intel.clf\n"
+        "  setsquare map intel.clf -o out\n"
+        "  setsquare match intel.clf 100 140\n"
+        "  setsquare explain intel.clf 100 140 -o match.html\n"
         "  zcat intel.clf.gz | setsquare info -\n"
-        "  setsquare evaluate relations out/trajectory.tum intel.relations\n"
         "Each subcommand has its own --help.");
     setsquare::app::add_info(application);
     setsquare::app::add_evaluate(application);
