@@ -26,7 +26,7 @@ bool is_within(const Pose2& error, const Tolerance& tolerance) {
 Pose2 error_of(const Pose2& T_sensor_sensor, const ScanPair& pair) {
   const Pose2 T_reference_current =
       pair.reference.T_base_sensor * T_sensor_sensor * pair.current.T_base_sensor.inverse();
-  return T_reference_current * pair.T_reference_current.inverse();
+  return pair.T_reference_current.inverse() * T_reference_current;
 }
 
 double median(std::vector<double> values) {

@@ -8,8 +8,8 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "tests/support/walled_world.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/support/walled_world.hpp"
 
 namespace setsquare {
 namespace {
