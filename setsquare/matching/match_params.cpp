@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/match_params.hpp"
 
+#include <cmath>
+
 #include "setsquare/core/error.hpp"
 
 namespace setsquare {
@@ -24,6 +26,8 @@ void MatchParams::validate() const {
   require(score.tolerance_m > 0.0, "tolerance_m", "must be positive");
   require(score.contradiction_weight >= 0.0, "contradiction_weight", "must not be negative");
   require(score.hidden_weight >= 0.0, "hidden_weight", "must not be negative");
+  require(std::isfinite(answer.min_score), "min_score", "must be finite");
+  require(std::isfinite(answer.min_agreement), "min_agreement", "must be finite");
   require(answer.min_margin >= 0.0, "min_margin", "must not be negative");
   require(answer.min_margin_alone >= 0.0, "min_margin_alone", "must not be negative");
   require(answer.min_constraint_m >= 0.0, "min_constraint_m", "must not be negative");

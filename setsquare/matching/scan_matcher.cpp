@@ -39,6 +39,7 @@ MatchResult match(const PreparedScan& reference,
                   const PreparedScan& current,
                   const MatchParams& params,
                   MatchTrace* trace) {
+  if (trace != nullptr) *trace = {};
   if (std::min(reference.points.size(), current.points.size()) < params.answer.min_points) {
     return {.status = MatchStatus::kTooFewPoints};
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 namespace setsquare {
 namespace {
@@ -28,6 +29,15 @@ float free_square(double range_m, const SurfaceImage::Params& params) {
   return static_cast<float>(free_m * free_m);
 }
 
+/// How far a beam whose return, if any, is of no use saw nothing: no farther than the sensor
+/// reaches.
+double seen_free_m(const Scan& scan, std::size_t beam, const SurfaceImage::Params& params) {
+  const BeamOutcome outcome = scan.outcome(beam);
+  if (outcome == BeamOutcome::kInvalid) return 0.0;
+  const double reach_m = outcome == BeamOutcome::kReturn ? scan.ranges_m[beam] : scan.max_range_m;
+  return std::min(params.no_return_free_m, reach_m);
+}
+
 /// The line at a return; across the ray where none fits (a post, a leg of a chair).
 SurfaceSector sector_of_return(const SurfacePoints& points,
                                std::size_t i,
@@ -35,7 +45,8 @@ SurfaceSector sector_of_return(const SurfacePoints& points,
   SurfaceSector sector;
   sector.normal_x = points.normal_x[i];
   sector.normal_y = points.normal_y[i];
-  if (sector.normal_x == 0.0F && sector.normal_y == 0.0F) {
+  const bool has_line = sector.normal_x != 0.0F || sector.normal_y != 0.0F;
+  if (!has_line && points.range_m[i] >= std::numeric_limits<float>::min()) {
     sector.normal_x = -points.x_m[i] / points.range_m[i];
     sector.normal_y = -points.y_m[i] / points.range_m[i];
   }
@@ -75,8 +86,8 @@ SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const 
             std::min(sector.free_square_m2, free_square(points.range_m[point - 1], params));
       }
       ++point;
-    } else if (scan.outcome(beam) != BeamOutcome::kInvalid) {
-      sector.free_square_m2 = free_square(params.no_return_free_m, params);
+    } else {
+      sector.free_square_m2 = free_square(seen_free_m(scan, beam, params), params);
     }
     const bool is_clockwise = scan.bearing_step_rad < 0.0;
     std::int32_t from = sector_index(static_cast<float>(c), static_cast<float>(s));

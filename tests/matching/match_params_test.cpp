@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/matching/match_params.hpp"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
+#include "tests/support/walled_world.hpp"
+
+namespace setsquare {
+namespace {
+
+struct BadField {
+  const char* name;
+  std::function<void(MatchParams&, double)> set;
+  double value;
+};
+
+void PrintTo(const BadField& bad, std::ostream* out) { *out << bad.name << " = " << bad.value; }
+
+class BadMatchParams : public ::testing::TestWithParam<BadField> {};
+
+TEST_P(BadMatchParams, AreNamed) {
+  MatchParams params;
+  GetParam().set(params, GetParam().value);
+  const Scan scan = testing::scan_of_walls(testing::l_shaped_room(), {2, 2, 0});
+  try {
+    (void)match(scan, scan, params);
+    FAIL() << "was accepted";
+  } catch (const ParameterError& error) {
+    EXPECT_THAT(error.what(), ::testing::HasSubstr(GetParam().name));
+  }
+}
+
+const double kNaN = std::nan("");
+std::size_t number(double value) { return static_cast<std::size_t>(value); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields,
+    BadMatchParams,
+    ::testing::Values(
+        BadField{"max_range_m", [](auto& p, double v) { p.surface.max_range_m = v; }, 0.0},
+        BadField{"max_weight_m", [](auto& p, double v) { p.surface.max_weight_m = v; }, kNaN},
+        BadField{"tolerance_m", [](auto& p, double v) { p.score.tolerance_m = v; }, 0.0},
+        BadField{"contradiction_weight",
+                 [](auto& p, double v) { p.score.contradiction_weight = v; },
+                 -1.0},
+        BadField{"hidden_weight", [](auto& p, double v) { p.score.hidden_weight = v; }, kNaN},
+        BadField{"min_margin", [](auto& p, double v) { p.answer.min_margin = v; }, -0.1},
+        BadField{"min_margin", [](auto& p, double v) { p.answer.min_margin = v; }, kNaN},
+        BadField{"min_score", [](auto& p, double v) { p.answer.min_score = v; }, kNaN},
+        BadField{"min_agreement", [](auto& p, double v) { p.answer.min_agreement = v; }, kNaN},
+        BadField{
+            "min_constraint_m", [](auto& p, double v) { p.answer.min_constraint_m = v; }, -1.0},
+        BadField{
+            "same_translation_m", [](auto& p, double v) { p.answer.same_translation_m = v; }, 0.0},
+        BadField{
+            "same_rotation_rad", [](auto& p, double v) { p.answer.same_rotation_rad = v; }, kNaN},
+        BadField{
+            "num_rotations", [](auto& p, double v) { p.quick.num_rotations = number(v); }, 0.0},
+        BadField{"num_fine", [](auto& p, double v) { p.thorough.num_fine = number(v); }, 0.0},
+        BadField{"num_coarse", [](auto& p, double v) { p.quick.num_coarse = number(v); }, 1.0}));
+
+TEST(MatchParams, DefaultsAreValid) { EXPECT_NO_THROW(MatchParams{}.validate()); }
+
+TEST(Match, NamesTheScanGeometryThatIsNone) {
+  const Scan good = testing::scan_of_walls(testing::l_shaped_room(), {2, 2, 0});
+  Scan bad = good;
+  bad.bearing_step_rad = 0.0;
+  EXPECT_THROW((void)match(good, bad), ParameterError);
+  EXPECT_THROW((void)match(bad, good), ParameterError);
+}
+
+}  // namespace
+}  // namespace setsquare
