@@ -22,7 +22,7 @@ bool is_within(const Pose2& error, const Tolerance& tolerance) {
          std::abs(error.theta_rad) <= tolerance.rotation_rad;
 }
 
-/// The error of the robot's pose, as Kuemmerle et al. 2009 define it.
+/// What is left between the true and the found pose of the robot, in the frame of the true one.
 Pose2 error_of(const Pose2& T_sensor_sensor, const ScanPair& pair) {
   const Pose2 T_reference_current =
       pair.reference.T_base_sensor * T_sensor_sensor * pair.current.T_base_sensor.inverse();
