@@ -23,8 +23,8 @@ struct SubmapRefinementParams {
   AlignmentScale first_step{.gate_m = 0.30, .scale_m = 0.10};   ///< Catches.
   AlignmentScale later_steps{.gate_m = 0.15, .scale_m = 0.05};  ///< Settle.
   int max_iterations = 10;
-  double converged_m = 2e-4;    ///< A step smaller than this ...
-  double converged_rad = 1e-4;  ///< ... and this ends the iteration.
+  double converged_m = 1e-3;    ///< A step smaller than this ...
+  double converged_rad = 5e-4;  ///< ... and this ends the iteration.
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
