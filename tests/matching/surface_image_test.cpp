@@ -22,8 +22,8 @@ const Fan kFans[] = {{11, rad_from_deg(-90), rad_from_deg(18)},
                      {361, rad_from_deg(180), rad_from_deg(-1)},
                      {1081, rad_from_deg(-135), rad_from_deg(0.25)}};
 
-/// The beam whose bearing is nearest, and how far that is: the plain twin of a look-up. The later of
-/// two that look the same way, as at the seam of a full turn.
+/// The beam whose bearing is nearest, and how far that is: the plain twin of a look-up. The later
+/// of two that look the same way, as at the seam of a full turn.
 struct NearestBeam {
   std::size_t beam = 0;
   double distance_rad = 1e9;
