@@ -131,7 +131,9 @@ TEST(HonestMatch, AnEmptyRectangleAllowsTheHalfTurn) {
       std::swap(straight, turned);
     }
     EXPECT_THAT(*result.T_reference_current, PoseNear(straight, kNear));
-    EXPECT_THAT(result.runner_up->T_reference_current, PoseNear(turned, kNear));
+    // The runner-up is not refined to the last.
+    constexpr PoseTolerance kRoughly{.translation_m = 0.08, .rotation_rad = rad_from_deg(2.0)};
+    EXPECT_THAT(result.runner_up->T_reference_current, PoseNear(turned, kRoughly));
   }
 }
 
