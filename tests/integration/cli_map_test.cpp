@@ -12,7 +12,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "tests/integration/run_setsquare.hpp"
-#include "tests/matching/walled_world.hpp"
+#include "tests/support/walled_world.hpp"
 
 namespace setsquare {
 namespace {

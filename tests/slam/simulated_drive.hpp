@@ -8,7 +8,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/scan/scan.hpp"
-#include "tests/matching/walled_world.hpp"
+#include "tests/support/walled_world.hpp"
 
 namespace setsquare::testing {
 
