@@ -40,7 +40,7 @@ std::vector<SinCos> unit_directions(const DirectionGrid& grid) {
 }
 
 /// One profile after another of the same points, in plain arrays that stay in the cache (timed by
-/// benchmarks/direction_benchmark). `Count` holds a bin's count, `Sum` a sum of squares.
+/// benchmarks/stages/paper_benchmark). `Count` holds a bin's count, `Sum` a sum of squares.
 template <class Count, class Sum>
 class ProfileSweep {
  public:
