@@ -7,8 +7,10 @@
 
 namespace setsquare {
 
-/// Writes the bytes to a temporary name beside `path` and renames it: a killed run leaves no half
-/// file, and an older file stays whole until then. Throws FileError.
+/// Writes the bytes to a new temporary name beside `path` and renames it: a killed run leaves no
+/// half file under the name, and an older file stays whole until then; its permissions are kept. A
+/// symbolic link stays, and the file that it names is replaced. What is no regular file (a device,
+/// a pipe, /dev/stdout) is written to as it is. Throws FileError.
 void save_file(const std::string& path, std::string_view bytes);
 
 }  // namespace setsquare
