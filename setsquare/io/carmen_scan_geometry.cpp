@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/carmen_scan_geometry.hpp"
 
+#include <cmath>
+
 namespace setsquare {
 
 void set_symmetric_bearings(Scan& scan, const LogOptions& options) {
   const auto num_beams = static_cast<double>(scan.num_beams());
-  const double field_of_view_rad = options.field_of_view_rad.value_or(kPi);
+  const bool is_by_step = options.bearing_step_rad && !options.field_of_view_rad;
+  const double field_of_view_rad = is_by_step
+                                       ? std::abs(*options.bearing_step_rad) * (num_beams - 1.0)
+                                       : options.field_of_view_rad.value_or(kPi);
   const bool is_odd = scan.num_beams() % 2 == 1;
   const double num_steps = is_odd && scan.num_beams() > 1 ? num_beams - 1.0 : num_beams;
   scan.bearing_step_rad = options.bearing_step_rad.value_or(field_of_view_rad / num_steps);

@@ -18,7 +18,8 @@ struct LogOptions {
   bool scans_only = true;  ///< Leave out the records of kinds other than kScan.
   /// Angles of a message that carries none (FLASER, RLASER): the sweep is symmetric about straight
   /// ahead. By default 180 degrees, whose step is field of view / n for an even number of beams n
-  /// (180, 360) and field of view / (n - 1) for an odd one (181, 361).
+  /// (180, 360) and field of view / (n - 1) for an odd one (181, 361). Where only the step is
+  /// given, the field of view is step * (n - 1).
   std::optional<double> field_of_view_rad;
   std::optional<double> bearing_step_rad;
   /// Ranges at or above it are no-returns. By default what the log states, else 50 m (the lowest

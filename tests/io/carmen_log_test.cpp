@@ -80,6 +80,21 @@ TEST(CarmenLog, OptionsSetTheAnglesAndTheReach) {
   EXPECT_EQ(log.records[0].scan.outcome(3), BeamOutcome::kNoReturn);
 }
 
+TEST(CarmenLog, TheStepAloneGivesASymmetricSweep) {
+  for (const double step_deg : {0.25, -0.25, 1.5}) {
+    for (const int num_beams : {1, 4, 181, 682}) {
+      LogOptions options;
+      options.bearing_step_rad = rad_from_deg(step_deg);
+      const auto log = read_all(flaser(num_beams, kNoPose, "1.0"), options);
+      ASSERT_THAT(log.records, SizeIs(1));
+      const Scan& scan = log.records[0].scan;
+      EXPECT_EQ(scan.bearing_step_rad, *options.bearing_step_rad);
+      const auto last = static_cast<std::size_t>(num_beams - 1);
+      EXPECT_NEAR(scan.bearing_rad(0) + scan.bearing_rad(last), 0.0, 1e-12) << num_beams;
+    }
+  }
+}
+
 TEST(CarmenLog, NoReturnCodesOfAllOurLogsAreNoReturns) {
   const auto log = read_all("FLASER 4 50.0 81.83 81.91 49.99 0 0 0 0 0 0 1.0 h 0\n");
   ASSERT_THAT(log.records, SizeIs(1));
