@@ -9,12 +9,20 @@
 #include <system_error>
 #include <utility>
 
+#include "apps/setsquare/log_options.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/timestamp.hpp"
 #include "setsquare/io/open_log.hpp"
 
 namespace setsquare::app {
 namespace {
+
+/// What was wrong with the log, in brackets; empty where nothing was.
+std::string words_of(const LogProblems& problems) {
+  std::string words = summary(problems);
+  for (const std::string& remark : problems.remarks) words += (words.empty() ? "" : "; ") + remark;
+  return words.empty() ? words : " (" + words + ")";
+}
 
 /// What one text asks for: an index or a stamp.
 class Wanted {
@@ -37,10 +45,11 @@ class Wanted {
     return std::abs(seconds_between(*stamp_, scan.stamp)) <= kHalfMicrosecond_s;
   }
 
-  [[noreturn]] void complain_of_absence(std::size_t num_scans) const {
+  [[noreturn]] void complain_of_absence(std::size_t num_scans, const LogProblems& problems) const {
     const std::string count = std::to_string(num_scans);
-    if (stamp_) complain("is the stamp of none of its " + count + " scans");
-    complain("is beyond the last of its " + count + " scans, numbered from 0");
+    const std::string damage = words_of(problems);
+    if (stamp_) complain("is the stamp of none of its " + count + " scans" + damage);
+    complain("is beyond the last of its " + count + " scans, numbered from 0" + damage);
   }
 
  private:
@@ -80,9 +89,10 @@ std::vector<SelectedScan> select_scans(const std::string& log_path,
   std::vector<SelectedScan> selected;
   selected.reserve(found.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
-    if (!found[i]) wishes[i].complain_of_absence(index);
+    if (!found[i]) wishes[i].complain_of_absence(index, reader->problems());
     selected.push_back(std::move(*found[i]));
   }
+  tell_problems(log_path, reader->problems());
   return selected;
 }
 

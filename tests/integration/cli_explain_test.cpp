@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <filesystem>
 #include <numbers>
 #include <string>
@@ -92,6 +93,22 @@ TEST(CommandExplain, WhatItCannotFindOrWriteIsOneLineAndCodeTwo) {
     EXPECT_EQ(outcome.out, "");
   }
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
+}
+
+TEST(CommandExplain, TellsOfACutGzip) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", room_log());
+  const std::string cut = "'" + (folder.path() / "cut.gz").string() + "'";
+  const std::string command = "gzip -c " + log + " | head -c -12 >" + cut;
+  ASSERT_EQ(std::system(command.c_str()), 0);
+  const std::string to_picture = " -o '" + (folder.path() / "match.svg").string() + "'";
+  const CommandOutcome absent = run_setsquare("explain " + cut + " 0 3" + to_picture);
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_THAT(absent.err, HasSubstr("gzip"));
+  EXPECT_EQ(num_lines(absent.err), 1) << absent.err;
+  const CommandOutcome found = run_setsquare("explain " + log + " 0 2" + to_picture);
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(found.err, "");
 }
 
 TEST(CommandExplain, RevisitInARealBuilding) {
