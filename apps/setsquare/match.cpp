@@ -16,6 +16,13 @@
 namespace setsquare::app {
 namespace {
 
+/// What was given on the command line, whatever its value.
+struct MatchChoice {
+  bool has_pairs = false;
+  bool has_output = false;
+  bool has_frame = false;
+};
+
 struct MatchOptions {
   std::string log_path;
   std::vector<std::string> scans;
@@ -27,9 +34,21 @@ struct MatchOptions {
   LogOptions log;
 };
 
-void run_match(const MatchOptions& options) {
-  if (!options.pairs_path.empty()) {
+/// Refuses options that the chosen way of matching would ignore.
+void check_choice(const MatchChoice& given, const MatchOptions& options) {
+  if (given.has_pairs) {
     if (!options.scans.empty()) throw Error("match: give two scans or --pairs, not both");
+    if (options.pairs_path.empty()) throw Error("match: --pairs needs the name of a file");
+    if (options.is_json) throw Error("match: --json is for two scans; --pairs writes a table");
+    if (given.has_frame) throw Error("match: --frame is for two scans; --pairs writes robot poses");
+  } else if (given.has_output) {
+    throw Error("match: -o is for the table of --pairs; two scans go to standard output");
+  }
+}
+
+void run_match(const MatchChoice& given, const MatchOptions& options) {
+  check_choice(given, options);
+  if (given.has_pairs) {
     match_pairs({.log_path = options.log_path,
                  .log = options.log,
                  .relations_path = options.pairs_path,
@@ -65,7 +84,7 @@ void add_match(CLI::App& application) {
       ->type_name("I J");
   match->add_option("--pairs", options->pairs_path, "Match every pair of a relations file");
   match->add_option("-o,--output", options->output_path, "With --pairs: the table's file, or -");
-  match->add_flag("--json", options->is_json, "Print JSON (one pair)");
+  match->add_flag("--json", options->is_json, "With two scans: print JSON");
   add_preset_option(*match, options->preset);
   add_frame_option(*match, options->is_of_sensor);
   add_log_options(*match, options->log);
@@ -83,7 +102,12 @@ void add_match(CLI::App& application) {
       "  setsquare match intel.clf 100 140\n"
       "  setsquare match intel.clf 976052905.167303 976052911.885496 --json\n"
       "  setsquare match intel.clf --pairs intel.loop.relations -o intel.loop.tsv");
-  match->callback([options] { run_match(*options); });
+  match->callback([options, match] {
+    const MatchChoice given = {.has_pairs = match->count("--pairs") > 0,
+                               .has_output = match->count("--output") > 0,
+                               .has_frame = match->count("--frame") > 0};
+    run_match(given, *options);
+  });
 }
 
 }  // namespace setsquare::app
