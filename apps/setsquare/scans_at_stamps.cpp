@@ -3,6 +3,7 @@
 #include "apps/setsquare/scans_at_stamps.hpp"
 
 #include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <set>
 
@@ -12,6 +13,11 @@
 #include "setsquare/io/open_log.hpp"
 
 namespace setsquare::app {
+namespace {
+
+std::int64_t distance_ns(Timestamp a, Timestamp b) { return std::abs(a.ns - b.ns); }
+
+}  // namespace
 
 std::map<Timestamp, Scan> scans_at_stamps(const std::string& log_path,
                                           const LogOptions& options,
@@ -25,7 +31,10 @@ std::map<Timestamp, Scan> scans_at_stamps(const std::string& log_path,
     progress.advance(reader->fraction_read());
     auto near = wanted.lower_bound(Timestamp{record->stamp.ns - kTolerance_ns});
     for (; near != wanted.end() && near->ns <= record->stamp.ns + kTolerance_ns; ++near) {
-      found.try_emplace(*near, record->scan);
+      const auto [held, is_new] = found.try_emplace(*near, record->scan);
+      const bool is_nearer =
+          distance_ns(record->stamp, *near) < distance_ns(held->second.stamp, *near);
+      if (!is_new && is_nearer) held->second = record->scan;
     }
   }
   tell_problems(log_path, reader->problems());

@@ -151,6 +151,59 @@ TEST(CommandMatch, UnknownScansEndWithOneLine) {
   }
 }
 
+TEST(CommandMatch, OptionsThatWouldBeIgnoredAreRefused) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", room_log());
+  const std::string pairs =
+      " --pairs " + folder.write("room.relations", relation("10.000000", "11.500000", truth(0, 1)));
+  const auto table = folder.path() / "table.tsv";
+  for (const std::string& arguments : {pairs + " --json",
+                                       pairs + " --frame base",
+                                       pairs + " --frame sensor",
+                                       " 0 1 -o '" + table.string() + "'",
+                                       std::string(" 0 1 -o -"),
+                                       std::string(" 0 1 --pairs ''"),
+                                       std::string(" --pairs ''")}) {
+    const CommandOutcome outcome = run_setsquare("match " + log + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(table));
+}
+
+TEST(CommandMatch, PairsTakeTheScanNearestToTheirStamp) {
+  const TemporaryFolder folder;
+  std::string log = room_log();
+  std::string nothing_seen = "FLASER 180";
+  for (int i = 0; i < 180; ++i) nothing_seen += " 81.83";
+  for (const char* const stamp : {"9.999985", "10.000015"}) {
+    const std::string line = nothing_seen + " 0 0 0 0 0 0 " + stamp + " host " + stamp + "\n";
+    log = stamp[0] == '9' ? line + log : log + line;
+  }
+  const std::string pairs =
+      folder.write("room.relations", relation("10.000000", "11.500000", truth(0, 1)));
+  const CommandOutcome outcome =
+      run_setsquare("match " + folder.write("room.clf", log) + " --pairs " + pairs);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto rows = cells_of(outcome.out);
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0][0], "10.000000");
+  EXPECT_EQ(rows[0][2], "matched");
+}
+
+TEST(CommandMatch, DamageIsToldWhetherTheScansAreFoundOrNot) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", "FLASER 3 1 2\n" + room_log());
+  const CommandOutcome found = run_setsquare("match " + log + " 0 1");
+  EXPECT_EQ(found.exit_code, 0);
+  EXPECT_THAT(found.err, HasSubstr("room.clf: 1 damaged record skipped, at line 1"));
+  const CommandOutcome absent = run_setsquare("match " + log + " 0 4");
+  EXPECT_EQ(absent.exit_code, 2);
+  EXPECT_THAT(absent.err, HasSubstr("beyond the last of its 4 scans, numbered from 0 (1 damaged"));
+  EXPECT_EQ(std::count(absent.err.begin(), absent.err.end(), '\n'), 1) << absent.err;
+}
+
 TEST(CommandMatch, IndicesAndStampsNameTheSameScans) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", room_log());
