@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <system_error>
+#include <vector>
 
 #include "apps/setsquare/log_options.hpp"
 #include "apps/setsquare/map_image.hpp"
@@ -24,20 +25,33 @@
 namespace setsquare::app {
 namespace {
 
+/// The directory and those above it that are not there yet, the innermost first.
+std::vector<std::filesystem::path> absent_directories(const std::filesystem::path& path) {
+  std::vector<std::filesystem::path> absent;
+  std::error_code ignored;
+  for (auto outer = path; !outer.empty() && !std::filesystem::exists(outer, ignored);
+       outer = outer.parent_path()) {
+    if (outer.has_filename()) absent.push_back(outer);
+  }
+  return absent;
+}
+
 /// The directory of the results, made before the work begins, so that a wrong name is told at once.
-/// Where the work fails, a directory that it made and left empty goes again.
+/// Where the work fails, the directories that it made and left empty go again.
 class OutputDirectory {
  public:
   explicit OutputDirectory(const std::string& path) : path_(path) {
     std::error_code error;
-    is_new_ = std::filesystem::create_directories(path_, error);
+    made_ = absent_directories(path_);
+    std::filesystem::create_directories(path_, error);
     if (error) throw FileError(path, "cannot be made: " + error.message());
     if (!std::filesystem::is_directory(path_)) throw FileError(path, "is not a directory");
   }
   ~OutputDirectory() {
-    std::error_code ignored;
-    if (is_new_ && std::filesystem::is_empty(path_, ignored)) {
-      std::filesystem::remove(path_, ignored);
+    std::error_code error;
+    for (const auto& made : made_) {
+      if (!std::filesystem::is_empty(made, error) || error) return;
+      std::filesystem::remove(made, error);
     }
   }
   OutputDirectory(const OutputDirectory&) = delete;
@@ -47,7 +61,7 @@ class OutputDirectory {
 
  private:
   std::filesystem::path path_;
-  bool is_new_ = false;
+  std::vector<std::filesystem::path> made_;
 };
 
 std::size_t num_scans_of(const MapRun& run, TrackStatus status) {

@@ -117,6 +117,15 @@ TEST(CommandMap, ABadLogOrDirectoryLeavesNothingBehind) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     EXPECT_FALSE(std::filesystem::exists(out)) << log;
   }
+  for (const char* const ending : {"", "/"}) {
+    const std::filesystem::path there = folder.path() / "there";
+    std::filesystem::create_directory(there);
+    const CommandOutcome outcome =
+        run_setsquare("map '" + (folder.path() / "no_scans.clf").string() + "' -o '" +
+                      (there / "r" / "s").string() + ending + "'");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(std::filesystem::is_empty(there)) << "the folders that it made are gone";
+  }
   const std::string log = folder.write("room.clf", room_log());
   EXPECT_EQ(run_setsquare("map " + log + " -o " + log).exit_code, 2) << "a file is no directory";
 }
