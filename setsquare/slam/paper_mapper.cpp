@@ -16,6 +16,7 @@ void PaperMapperParams::validate() const {
   }
   if (!(keyframe_turn_rad > 0.0)) throw ParameterError("keyframe_turn_rad", "must be positive");
   if (max_rejected < 1) throw ParameterError("max_rejected", "must be at least 1");
+  if (min_points < 1) throw ParameterError("min_points", "must be at least 1");
 }
 
 PaperMapper::PaperMapper(const PaperMapperParams& params) : params_(params) { params_.validate(); }
@@ -23,8 +24,28 @@ PaperMapper::PaperMapper(const PaperMapperParams& params) : params_(params) { pa
 TrackedPose PaperMapper::add(const Scan& scan) {
   scan.validate();
   PreparedPaperScan current = prepare_paper(scan, params_.matcher);
+  const TrackedPose tracked = place(current);
+  if (tracked.is_keyframe) {
+    keyframe_ = std::move(current);
+    T_map_keyframe_ = T_map_sensor_;
+    num_rejected_ = 0;
+    track_.keyframes.push_back(track_.scans.size());
+  }
+  track_.scans.push_back({.stamp = scan.stamp,
+                          .status = tracked.status,
+                          .T_map_sensor = T_map_sensor_,
+                          .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
+                          .score = tracked.score,
+                          .effective_points = 0.0});
+  return tracked;
+}
+
+TrackedPose PaperMapper::place(const PreparedPaperScan& current) {
   TrackedPose tracked;
-  if (!keyframe_) {
+  if (current.points.size() < params_.min_points) {
+    tracked.status = TrackStatus::kLost;
+    tracked.score = 0.0;
+  } else if (!keyframe_) {
     // Eq. (8): theta_D is the heading against the building's walls.
     T_map_sensor_.theta_rad = wrap_to_period(current.direction.theta_rad, 0.5 * kPi);
     tracked.is_keyframe = true;
@@ -43,18 +64,6 @@ TrackedPose PaperMapper::add(const Scan& scan) {
     }
   }
   tracked.T_odom_sensor = T_map_sensor_;
-  if (tracked.is_keyframe) {
-    keyframe_ = std::move(current);
-    T_map_keyframe_ = T_map_sensor_;
-    num_rejected_ = 0;
-    track_.keyframes.push_back(track_.scans.size());
-  }
-  track_.scans.push_back({.stamp = scan.stamp,
-                          .status = tracked.status,
-                          .T_map_sensor = T_map_sensor_,
-                          .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
-                          .score = tracked.score,
-                          .effective_points = 0.0});
   return tracked;
 }
 

@@ -19,6 +19,8 @@ struct PaperMapperParams {
   double keyframe_turn_rad = rad_from_deg(10.0);
   /// After so many rejected scans in a row the last one starts anew where it was last seen.
   std::size_t max_rejected = 10;
+  /// Scans with fewer thinned points are lost: not matched, not kept, not counted as rejected.
+  std::size_t min_points = 10;
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -26,7 +28,8 @@ struct PaperMapperParams {
 
 /// The paper's map building (bando2014, section 5.2): scan to scan, by its own method alone, each
 /// scan against the previous keyframe, poses chained; no odometry, no fusion, no submap. The paper
-/// does not tell what it does with a rejected match: here the robot is taken to stand still.
+/// does not tell what it does with a rejected match, nor with a scan that sees next to nothing:
+/// here the robot is taken to stand still.
 class PaperMapper {
  public:
   explicit PaperMapper(const PaperMapperParams& params = {});
@@ -34,10 +37,12 @@ class PaperMapper {
   /// The next scan of the log. Throws ParameterError where the scan's geometry is no scan's.
   TrackedPose add(const Scan& scan);
 
-  /// All poses so far. The map's frame is the first scan's, turned by its dominant direction.
+  /// All poses so far. The map's frame is the first keyframe's, turned by its dominant direction.
   [[nodiscard]] MappedTrack finish() const;
 
  private:
+  TrackedPose place(const PreparedPaperScan& current);
+
   PaperMapperParams params_;
   std::optional<PreparedPaperScan> keyframe_;
   Pose2 T_map_keyframe_;

@@ -16,13 +16,23 @@ ScanTracker::ScanTracker(const ScanTrackerParams& params)
 
 TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
   const SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
-  TrackedPose tracked = submap_.empty() ? TrackedPose{} : place(scan, points, T_wheels_sensor);
-  num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
-  if (num_lost_ >= params_.max_lost_scans) {
-    tracked.is_restart = true;
-    start_anew();
+  const bool sees_enough = points.size() >= params_.min_points;
+  const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
+  TrackedPose tracked;
+  tracked.T_odom_sensor = predicted;
+  if (!sees_enough) {
+    tracked.status = TrackStatus::kLost;
+    tracked.score = 0.0;
+  } else if (!submap_.empty()) {
+    tracked = place(scan, points, predicted, T_wheels_sensor);
   }
-  keep_if_far(scan, points, tracked);
+  // A scan that sees next to nothing tells nothing against the submap.
+  if (sees_enough) {
+    num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
+    tracked.is_restart = num_lost_ >= params_.max_lost_scans;
+    if (tracked.is_restart) start_anew();
+    keep_if_far(scan, points, tracked);
+  }
   motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
   if (tracked.status == TrackStatus::kRecovered) motion_.restart();
   ++num_scans_;
@@ -31,11 +41,8 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
 
 TrackedPose ScanTracker::place(const Scan& scan,
                                const SurfacePoints& points,
+                               const Pose2& predicted,
                                const std::optional<Pose2>& T_wheels_sensor) {
-  const Pose2 predicted = motion_.next(T_wheels_sensor);
-  if (points.size() < params_.min_points) {
-    return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .weak = {}};
-  }
   const PredictionTrust& trust = motion_.has_odometry(T_wheels_sensor)
                                      ? params_.trust_in_odometry
                                      : params_.trust_in_last_motion;

@@ -42,12 +42,15 @@ class ScanTracker {
   explicit ScanTracker(const ScanTrackerParams& params = {});
 
   /// Places the next scan. `T_wheels_sensor` is the pose of the sensor by wheel odometry, in any
-  /// frame that stays put. The first scan stands at the identity.
+  /// frame that stays put. The first scan stands at the identity. A scan with fewer than min_points
+  /// returns is lost, at the predicted pose, and leaves the submap as it was; until one has more,
+  /// there is no submap.
   TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor);
 
  private:
   TrackedPose place(const Scan& scan,
                     const SurfacePoints& points,
+                    const Pose2& predicted,
                     const std::optional<Pose2>& T_wheels_sensor);
   void start_anew();
   void keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked);
@@ -57,7 +60,7 @@ class ScanTracker {
   std::vector<Keyframe> submap_;
   PointMarks marks_;
   std::size_t num_scans_ = 0;
-  std::size_t num_lost_ = 0;  ///< In a row.
+  std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };
 
 }  // namespace setsquare

@@ -66,7 +66,8 @@ struct ScanTrackerParams {
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
   /// After so many lost scans in a row the submap starts anew at the predicted pose.
   std::size_t max_lost_scans = 5;
-  std::size_t min_points = 10;  ///< Scans with fewer returns are not matched.
+  /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
+  std::size_t min_points = 10;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -98,7 +98,8 @@ TEST(Mapper, ScansThatSeeNothingArePlacedAndCalledLost) {
   for (int i = 0; i < 20; ++i) mapper.add(blind);
   const MappedTrack track = mapper.finish();
   ASSERT_EQ(track.scans.size(), 20U);
-  for (std::size_t i = 1; i < 20; ++i) EXPECT_EQ(track.scans[i].status, TrackStatus::kLost);
+  for (const MappedScan& mapped : track.scans) EXPECT_EQ(mapped.status, TrackStatus::kLost);
+  EXPECT_TRUE(track.keyframes.empty());
 }
 
 TEST(Mapper, RefusesAScanThatIsNone) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "tests/slam/simulated_drive.hpp"
@@ -56,6 +57,30 @@ TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
   EXPECT_EQ(track.scans[4].status, TrackStatus::kLost);
   EXPECT_EQ(track.scans[4].T_map_sensor, track.scans[3].T_map_sensor);
   EXPECT_EQ(track.scans[5].status, TrackStatus::kTracked);
+}
+
+TEST(PaperMapper, BlankScansCostNoOther) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {3.5, 1.5}}, 0.1);
+  for (const std::size_t first : {0U, 4U}) {
+    std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, 0.01, papers_fan());
+    // The robot waits, blinded, for longer than rejected scans are borne.
+    Scan blank = scans[first];
+    blank.ranges_m.assign(1081, std::numeric_limits<double>::quiet_NaN());
+    scans.insert(scans.begin() + static_cast<std::ptrdiff_t>(first), 12, blank);
+    PaperMapper mapper;
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      const TrackedPose tracked = mapper.add(scans[i]);
+      const bool is_blank = i >= first && i < first + 12;
+      EXPECT_EQ(tracked.status == TrackStatus::kLost, is_blank) << i;
+      EXPECT_FALSE(is_blank && tracked.is_keyframe) << i;
+    }
+    const MappedTrack track = mapper.finish();
+    EXPECT_EQ(track.keyframes.front(), first == 0 ? 12U : 0U);
+    EXPECT_THAT(
+        between(track.scans[track.keyframes.front()].T_map_sensor, track.scans.back().T_map_sensor),
+        PoseNear(between(truth.front(), truth.back()),
+                 PoseTolerance{.translation_m = 0.15, .rotation_rad = rad_from_deg(1.0)}));
+  }
 }
 
 }  // namespace

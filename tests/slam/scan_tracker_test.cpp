@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -128,6 +129,63 @@ TEST(ScanTracker, BlindScansAreLostAndTheWayGoesOn) {
   EXPECT_THAT(tracked.back().T_odom_sensor,
               PoseNear(between(truth.front(), truth.back()),
                        PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+}
+
+void make_blank(Scan& scan) {
+  scan.ranges_m.assign(scan.ranges_m.size(), std::numeric_limits<double>::quiet_NaN());
+}
+
+/// The blank scans are lost and leave no trace; all others are placed, without a restart.
+void expect_only_blanks_are_lost(const std::vector<TrackedPose>& tracked,
+                                 std::size_t first_blank,
+                                 std::size_t num_blank) {
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
+    const bool is_blank = i >= first_blank && i < first_blank + num_blank;
+    EXPECT_EQ(tracked[i].status == TrackStatus::kLost, is_blank) << i;
+    EXPECT_FALSE(tracked[i].is_restart) << i;
+    if (!is_blank) continue;
+    EXPECT_FALSE(tracked[i].is_keyframe) << i;
+    EXPECT_EQ(tracked[i].score, 0.0) << i;
+  }
+}
+
+TEST(ScanTracker, BlankScansAtTheStartCostNoOther) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.5, 1.5}});
+  for (const std::size_t num_blank : {1U, 4U, 5U, 12U}) {
+    std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+    for (std::size_t i = 0; i < num_blank; ++i) make_blank(scans[i]);
+    const auto tracked = track_all(scans);
+    expect_only_blanks_are_lost(tracked, 0, num_blank);
+    EXPECT_TRUE(tracked[num_blank].is_keyframe);
+    EXPECT_EQ(tracked[num_blank].T_odom_sensor, Pose2{});
+    EXPECT_THAT(tracked.back().T_odom_sensor,
+                PoseNear(between(truth[num_blank], truth.back()),
+                         PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+  }
+}
+
+TEST(ScanTracker, AfterBlankScansAtTheStartTheOdometryTellsWhereTheSubmapBegins) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.5, 1.5}});
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  for (std::size_t i = 0; i < 10; ++i) make_blank(scans[i]);
+  const auto tracked = track_all(scans, truth);
+  EXPECT_TRUE(tracked[10].is_keyframe);
+  EXPECT_THAT(tracked[10].T_odom_sensor,
+              PoseNear(between(truth[0], truth[10]),
+                       PoseTolerance{.translation_m = 1e-9, .rotation_rad = 1e-9}));
+}
+
+TEST(ScanTracker, BlankScansOnTheWayCostNoOther) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {5.0, 1.5}});
+  for (const std::size_t num_blank : {5U, 6U, 7U, 12U}) {
+    std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+    for (std::size_t i = 30; i < 30 + num_blank; ++i) make_blank(scans[i]);
+    const auto tracked = track_all(scans);
+    expect_only_blanks_are_lost(tracked, 30, num_blank);
+    EXPECT_THAT(tracked.back().T_odom_sensor,
+                PoseNear(between(truth.front(), truth.back()),
+                         PoseTolerance{.translation_m = 0.05, .rotation_rad = rad_from_deg(0.6)}));
+  }
 }
 
 TEST(ScanTracker, StartsAnewWhereItStaysLost) {
