@@ -19,6 +19,23 @@ struct LineSums {
   double xx = 0.0, xy = 0.0, xt = 0.0, yy = 0.0, yt = 0.0, tt = 0.0;
   double x = 0.0, y = 0.0, t = 0.0;
   std::int64_t num_pairs = 0;
+
+  /// A point `distance_m` off the line of normal n; its arm is p less the sensor's place.
+  void add(float nx, float ny, float arm_x, float arm_y, float distance_m, float weight) {
+    const float nt = ny * arm_x - nx * arm_y;
+    const float wx = weight * nx;
+    const float wy = weight * ny;
+    const float wt = weight * nt;
+    xx += wx * nx;
+    xy += wx * ny;
+    xt += wx * nt;
+    yy += wy * ny;
+    yt += wy * nt;
+    tt += wt * nt;
+    x += wx * distance_m;
+    y += wy * distance_m;
+    t += wt * distance_m;
+  }
 };
 
 /// A rigid motion in single precision, as the kernels need it.
@@ -30,6 +47,12 @@ struct Motion {
         y_m(static_cast<float>(T.y_m)) {}
   float c, s, x_m, y_m;
 };
+
+/// What the keyframe says of a point: `square_m2` is its squared range from the keyframe's sensor.
+std::uint8_t mark_of(bool may_be_same, float distance_m, float square_m2, float free_square_m2) {
+  if (may_be_same && std::abs(distance_m) < kExplainedDistance_m) return kCompared | kExplained;
+  return square_m2 < free_square_m2 ? kCompared | kContradicted : kCompared;
+}
 
 LineSums sum_lines(const SurfaceImage& image,
                    const SurfacePoints& points,
@@ -52,36 +75,15 @@ LineSums sum_lines(const SurfaceImage& image,
     const float normal_y = T.s * points.normal_x[i] + T.c * points.normal_y[i];
     const float agreement = normal_x * sector.normal_x + normal_y * sector.normal_y;
     const bool faces_alike = agreement > kMinNormalAgreement;
-    const float magnitude_m = std::abs(distance_m);
-    std::uint8_t mark = kCompared;
     // Where no line fits (a post, clutter) nearness is all that can be asked.
     const bool has_normal = points.normal_x[i] != 0.0F || points.normal_y[i] != 0.0F;
-    if ((faces_alike || !has_normal) && magnitude_m < kExplainedDistance_m) {
-      mark |= kExplained;
-    } else if (x_m * x_m + y_m * y_m < sector.free_square_m2) {
-      mark |= kContradicted;
-    }
-    marks[i] |= mark;
+    marks[i] |= mark_of(
+        faces_alike || !has_normal, distance_m, x_m * x_m + y_m * y_m, sector.free_square_m2);
     if (!faces_alike) continue;
     ++sums.num_pairs;
-    if (magnitude_m > gate_m) continue;
+    if (std::abs(distance_m) > gate_m) continue;
     const float root = 1.0F / (1.0F + distance_m * distance_m * inverse_square);
-    const float weight = root * root;
-    const float nx = sector.normal_x;
-    const float ny = sector.normal_y;
-    const float nt = ny * arm_x - nx * arm_y;
-    const float wx = weight * nx;
-    const float wy = weight * ny;
-    const float wt = weight * nt;
-    sums.xx += wx * nx;
-    sums.xy += wx * ny;
-    sums.xt += wx * nt;
-    sums.yy += wy * ny;
-    sums.yt += wy * nt;
-    sums.tt += wt * nt;
-    sums.x += wx * distance_m;
-    sums.y += wy * distance_m;
-    sums.t += wt * distance_m;
+    sums.add(sector.normal_x, sector.normal_y, arm_x, arm_y, distance_m, root * root);
   }
   return sums;
 }
