@@ -13,7 +13,8 @@
 namespace setsquare::app {
 namespace {
 
-/// Keeps the scans that moved on since the last one kept.
+/// Keeps the scans that moved on since the last one kept, by 0.1 m or 5 deg: whole, in memory, so
+/// that it grows with the way driven (the mapper's own grows by poses only).
 class PictureScans {
  public:
   void add(const Scan& scan, const Pose2& T_odom_sensor, std::size_t index) {

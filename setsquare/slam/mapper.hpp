@@ -43,7 +43,9 @@ struct MapperParams {
 ///   const MappedTrack track = mapper.finish();
 ///
 /// 1. Each scan is tracked against the submap of recent keyframes (ScanTracker).
-/// 2. Each keyframe's walls measure its heading in the building, modulo a quarter turn.
+/// 2. Each keyframe's walls measure its heading in the building, modulo a quarter turn: its highest
+///    peak of direction is its one proposal, believed by its margin over the next; without a margin
+///    there is none.
 /// 3. At the end headings are fused (fuse_headings) and the tracked motion is laid out again along
 ///    them (assemble_track). The map's axes are the building's.
 /// Memory grows with the number of scans by their poses only.
