@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <vector>
 
 #include "setsquare/slam/submap_refinement.hpp"
@@ -63,6 +65,45 @@ TEST_F(SubmapAlignmentTest, APointCountsOnceHoweverOftenItWasSeen) {
   const auto again = align_with_submap(twice, points, pose, {}, marks_);
   EXPECT_EQ(again.num_explained, once.num_explained);
   EXPECT_TRUE(again.hessian.isApprox(once.hessian, 1e-9));
+}
+
+/// The normal equations of one keyframe at the origin, plainly: in double precision, as written.
+Eigen::Matrix<double, 3, 4> plain_equations(const SurfaceImage& image,
+                                            const SurfacePoints& points,
+                                            const Pose2& T,
+                                            const AlignmentScale& scale) {
+  Eigen::Matrix<double, 3, 4> sums = Eigen::Matrix<double, 3, 4>::Zero();
+  const Pose2 turn{0.0, 0.0, T.theta_rad};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d arm = turn * Eigen::Vector2d(points.x_m[i], points.y_m[i]);
+    const Eigen::Vector2d p = arm + T.translation();
+    const auto x_m = static_cast<float>(p.x());
+    const auto y_m = static_cast<float>(p.y());
+    const SurfaceSector& sector = image.at(x_m, y_m);
+    if (sector.offset_m == SurfaceImage::kNoSurface_m) continue;
+    const double distance_m = SurfaceImage::signed_distance_m(sector, x_m, y_m);
+    const Eigen::Vector2d n(sector.normal_x, sector.normal_y);
+    const Eigen::Vector2d normal = turn * Eigen::Vector2d(points.normal_x[i], points.normal_y[i]);
+    if (normal.dot(n) <= 0.7 || std::abs(distance_m) > scale.gate_m) continue;
+    const double weight = std::pow(1.0 + std::pow(distance_m / scale.scale_m, 2), -2);
+    const Eigen::Vector3d row(n.x(), n.y(), n.y() * arm.x() - n.x() * arm.y());
+    sums.leftCols<3>() += weight * row * row.transpose();
+    sums.col(3) += weight * distance_m * row;
+  }
+  return sums;
+}
+
+TEST_F(SubmapAlignmentTest, TheNormalEquationsAreThoseOfThePlainSums) {
+  const Pose2 pose{1.15, 1.05, 0.35};
+  const Keyframe keyframe = keyframe_at({}, scan_of_walls(l_shaped_room(), pose));
+  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const AlignmentScale scale{.gate_m = 0.15, .scale_m = 0.05};
+  for (const Pose2& off : {Pose2{0.02, -0.03, 0.01}, Pose2{0.08, 0.05, -0.03}}) {
+    const auto plain = plain_equations(keyframe.image, points, off, scale);
+    const auto found = align_with_submap({&keyframe, 1}, points, off, scale, marks_);
+    EXPECT_LT((found.hessian - plain.leftCols<3>()).norm(), 1e-3 * plain.leftCols<3>().norm());
+    EXPECT_LT((found.gradient - plain.col(3)).norm(), 1e-3 * plain.col(3).norm());
+  }
 }
 
 TEST_F(SubmapAlignmentTest, RefinementFindsThePlaceFromAside) {
