@@ -27,7 +27,7 @@ float approximate_bearing(float y, float x) {
 
 std::array<float, kNumBins> smooth(const std::array<float, kNumBins>& raw) {
   constexpr int kReach = 1;
-  constexpr std::array<float, 2 * kReach + 1> kKernel{1.0F, 2.0F, 1.0F};
+  constexpr std::array<float, 2 * kReach + 1> kKernel{0.25F, 0.5F, 0.25F};
   std::array<float, kNumBins + 2 * kReach> padded;
   for (int i = 0; i < kNumBins + 2 * kReach; ++i) {
     padded[i] = raw[(i - kReach + kNumBins) % kNumBins];

@@ -38,6 +38,12 @@ std::vector<TranslationProposal> propose(const PreparedScan& current,
   return proposals;
 }
 
+Candidate candidate_from(const TranslationProposal& proposal) {
+  return {.T_proposed = proposal.T_reference_current,
+          .correlation = proposal.correlation,
+          .T_reference_current = proposal.T_reference_current};
+}
+
 Candidate refined(const AlignedScan& reference,
                   const AlignedScan& current,
                   std::span<const double> tolerances_m,
@@ -82,14 +88,11 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
                                          MatchTrace* trace) {
   std::vector<Candidate> coarse;
   for (const auto& proposal : propose(current, grid, rotations, search.num_coarse)) {
-    const Candidate candidate{.T_proposed = proposal.T_reference_current,
-                              .correlation = proposal.correlation,
-                              .T_reference_current = proposal.T_reference_current};
     coarse.push_back(refined(reference.coarse_alignment(),
                              current.coarse_alignment(),
                              kCoarseTolerances_m,
                              params.score,
-                             candidate));
+                             candidate_from(proposal)));
   }
   sort_best_first(coarse);
 
@@ -113,12 +116,11 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
                         candidate);
   }
   sort_best_first(fine);
-  if (trace != nullptr) {
-    trace->candidates.clear();
-    record(fine, CandidateFate::kOutscored, trace->candidates);
-    record(repeated, CandidateFate::kSameAsBetter, trace->candidates);
-    record(dropped, CandidateFate::kDroppedEarly, trace->candidates);
-  }
+  if (trace == nullptr) return fine;
+  trace->candidates.clear();
+  record(fine, CandidateFate::kOutscored, trace->candidates);
+  record(repeated, CandidateFate::kSameAsBetter, trace->candidates);
+  record(dropped, CandidateFate::kDroppedEarly, trace->candidates);
   return fine;
 }
 

@@ -24,8 +24,9 @@ constexpr double kCorrelationLength_m = 0.25;
 
 /// How firmly the walls hold the translation once the rotation is free: the weaker direction.
 struct WeakestDirection {
-  double constraint_m = 0.0;   ///< Metres of wall that face it.
-  double direction_rad = 0.0;  ///< In [0, pi).
+  double all_constraint_m = 0.0;  ///< Of both directions together.
+  double constraint_m = 0.0;      ///< Metres of wall that face it.
+  double direction_rad = 0.0;     ///< In [0, pi).
 };
 
 WeakestDirection weakest_direction(const Eigen::Matrix3d& hessian) {
@@ -37,8 +38,9 @@ WeakestDirection weakest_direction(const Eigen::Matrix3d& hessian) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(translation);
   const Eigen::Vector2d axis = solver.eigenvectors().col(0);
   const double direction_rad = std::atan2(axis.y(), axis.x());
-  return {std::max(0.0, solver.eigenvalues()(0)),
-          direction_rad < 0.0 ? direction_rad + kPi : direction_rad};
+  return {.all_constraint_m = solver.eigenvalues().sum(),
+          .constraint_m = std::max(0.0, solver.eigenvalues()(0)),
+          .direction_rad = direction_rad - kPi * std::floor(direction_rad / kPi)};
 }
 
 /// Direction of the reference's walls modulo 90 deg, to a bin: good enough for a profile.
@@ -78,17 +80,34 @@ double overlap(const PreparedScan& reference, const PreparedScan& current, const
   return seen.wall_m > 0.0 ? seen.agreeing_m / seen.wall_m : 0.0;
 }
 
-bool stands(double score, double margin, const AnswerParams& params) {
-  return (score >= params.min_score && margin >= params.min_margin) ||
-         (score >= params.min_score_alone && margin >= params.min_margin_alone);
+/// Whether a different pose explains nearly as much and is contradicted no more. Its score may be
+/// lower only because less is seen in common, which speaks for small motion, not against the pose.
+bool has_rival(std::span<const Candidate> candidates, const AnswerParams& params) {
+  const Candidate& best = candidates.front();
+  const auto is_rival = [&](const Candidate& other) {
+    return !are_same(best.T_reference_current, other.T_reference_current, params) &&
+           other.evidence.agreeing_m >= params.rival_agreement * best.evidence.agreeing_m &&
+           other.evidence.contradicted_m <= best.evidence.contradicted_m;
+  };
+  return std::any_of(candidates.begin() + 1, candidates.end(), is_rival);
 }
 
-MatchStatus judge(const MatchResult& result, double constraint_m, const AnswerParams& params) {
-  if (result.agreement < params.min_agreement) return MatchStatus::kNoOverlap;
-  if (constraint_m < params.min_constraint_m) return MatchStatus::kDegenerate;
+bool stands(const MatchResult& result, double wall_m, const AnswerParams& params) {
+  if (result.score < params.low_score && wall_m < params.min_wall_m) return false;
   // Without a runner-up nothing else was found at all: the margin is the score itself.
   const double margin = result.score - (result.runner_up ? result.runner_up->score : 0.0);
-  return stands(result.score, margin, params) ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
+  return (result.score >= params.min_score && margin >= params.min_margin) ||
+         (result.score >= params.min_score_alone && margin >= params.min_margin_alone);
+}
+
+MatchStatus judge(const MatchResult& result,
+                  const WeakestDirection& weakest,
+                  bool is_rivalled,
+                  const AnswerParams& params) {
+  if (!(result.agreement >= params.min_agreement)) return MatchStatus::kNoOverlap;
+  if (weakest.constraint_m < params.min_constraint_m) return MatchStatus::kDegenerate;
+  const bool is_alone = !is_rivalled && stands(result, weakest.all_constraint_m, params);
+  return is_alone ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
 }
 
 }  // namespace
@@ -139,7 +158,7 @@ MatchResult answer(const PreparedScan& reference,
   result.agreement = best.evidence.agreeing_m / best.evidence.wall_m;
   result.contradiction = best.evidence.contradicted_m / best.evidence.wall_m;
   result.overlap = overlap(reference, current, T);
-  result.status = judge(result, weakest.constraint_m, params.answer);
+  result.status = judge(result, weakest, has_rival(candidates, params.answer), params.answer);
   if (result.status == MatchStatus::kDegenerate) {
     result.degenerate_direction_rad = weakest.direction_rad;
   }

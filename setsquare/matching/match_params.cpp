@@ -29,6 +29,9 @@ void MatchParams::validate() const {
   require(std::isfinite(answer.min_score), "min_score", "must be finite");
   require(std::isfinite(answer.min_agreement), "min_agreement", "must be finite");
   require(answer.min_margin >= 0.0, "min_margin", "must not be negative");
+  require(std::isfinite(answer.min_score_alone), "min_score_alone", "must be finite");
+  require(answer.min_wall_m >= 0.0, "min_wall_m", "must not be negative");
+  require(answer.rival_agreement > 0.0, "rival_agreement", "must be positive");
   require(answer.min_margin_alone >= 0.0, "min_margin_alone", "must not be negative");
   require(answer.min_constraint_m >= 0.0, "min_constraint_m", "must not be negative");
   require(answer.same_translation_m > 0.0, "same_translation_m", "must be positive");

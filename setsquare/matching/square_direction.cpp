@@ -28,8 +28,9 @@ std::vector<double> direction_density(const std::vector<StraightPiece>& pieces,
                                        params.density_width_rad * params.density_width_rad);
     const double height = std::sqrt(piece.length_m) / width_rad;
     const double center = wrap_to_period(-piece.direction_rad, kSquare) / kBin_rad - 0.5;
-    const auto reach = std::min(static_cast<long>(3.0 * width_rad / kBin_rad) + 1,
-                                static_cast<long>(kNumBins) / 2 - 1);
+    constexpr long kMaxReach = static_cast<long>(kNumBins) / 2 - 1;
+    const long reach = static_cast<long>(
+        std::min(3.0 * width_rad / kBin_rad + 1.0, static_cast<double>(kMaxReach)));
     const long nearest = std::lround(center);
     for (long k = nearest - reach; k <= nearest + reach; ++k) {
       const double z = (static_cast<double>(k) - center) * kBin_rad / width_rad;

@@ -140,11 +140,16 @@ Window window_around(const SurfacePoints& points, std::size_t i, double radius_m
     return dx_m * dx_m + dy_m * dy_m <= limit_m2;
   };
   Window window{i, i};
-  while (window.first > 0 && points.joined[window.first - 1] &&
+  // Hundreds of neighbours a side fix a line as well as thousands do.
+  constexpr std::size_t kMaxReach = 256;
+  const std::size_t lowest = i > kMaxReach ? i - kMaxReach : 0;
+  const std::size_t highest = std::min(i + kMaxReach, points.size() - 1);
+  while (window.first > lowest && points.joined[window.first - 1] &&
          (window.first == i || is_within(window.first - 1))) {
     --window.first;
   }
-  while (points.joined[window.last] && (window.last == i || is_within(window.last + 1))) {
+  while (window.last < highest && points.joined[window.last] &&
+         (window.last == i || is_within(window.last + 1))) {
     ++window.last;
   }
   return window;
@@ -199,6 +204,7 @@ void require_positive(double value, const char* name) {
 
 void SurfaceParams::validate() const {
   require_positive(max_range_m, "max_range_m");
+  if (!std::isfinite(max_range_m)) throw ParameterError("max_range_m", "must be finite");
   require_positive(join_distance_m, "join_distance_m");
   require_positive(join_beam_spacings, "join_beam_spacings");
   require_positive(collinear_tolerance_m, "collinear_tolerance_m");

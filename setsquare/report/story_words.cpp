@@ -87,7 +87,9 @@ std::string words_of_margin(const MatchResult& result, const AnswerParams& param
        fixed(result.score - result.runner_up->score, 3),
        ", where ",
        fixed(params.min_margin, 2),
-       " is asked."});
+       " is asked (",
+       fixed(params.min_margin_alone, 2),
+       " of a low score)."});
 }
 
 }  // namespace
@@ -124,7 +126,9 @@ std::vector<std::string> evidence_in_words(const MatchResult& result, const Matc
                           fixed(result.score, 3),
                           " (at least ",
                           fixed(params.answer.min_score, 2),
-                          " is asked)."}));
+                          " is asked, or ",
+                          fixed(params.answer.min_score_alone, 2),
+                          " with a wide margin)."}));
   words.push_back(words_of_margin(result, params.answer));
   if (result.degenerate_direction_rad) {
     words.push_back(joined({"Not determined along ",

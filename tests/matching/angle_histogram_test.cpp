@@ -35,7 +35,7 @@ TEST(AngleHistogram, HoldsTheLengthOfEveryWallThatHasANormal) {
         points.weight_m[i];
   }
   const double total = std::accumulate(histogram.length_m.begin(), histogram.length_m.end(), 0.0);
-  EXPECT_NEAR(total, 4.0 * length_m, 1e-3 * total);  // The smoothing's 1, 2, 1.
+  EXPECT_NEAR(total, length_m, 1e-3 * total);
   // The quick arc tangent moves a wall by a bin at most: sums over five bins see it.
   for (int bin = 0; bin < kNumBins; ++bin) {
     double around = 0.0;
