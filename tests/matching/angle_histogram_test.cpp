@@ -44,8 +44,8 @@ TEST(AngleHistogram, HoldsTheLengthOfEveryWallThatHasANormal) {
     for (int k = -4; k <= 4; ++k) {
       const int near = (bin + k + kNumBins) % kNumBins;
       if (std::abs(k) <= 2) around += histogram.length_m[near];
-      if (std::abs(k) <= 0) plain_around += 4.0 * plain[near];
-      plain_wider += 4.0 * plain[near];
+      if (std::abs(k) <= 0) plain_around += plain[near];
+      plain_wider += plain[near];
     }
     EXPECT_GE(around, plain_around - 1e-3) << bin;
     EXPECT_LE(around, plain_wider + 1e-3) << bin;
