@@ -25,8 +25,9 @@ struct AnswerParams {
   double min_margin_alone = 0.25;  ///< ... and a wide margin: nothing else comes near.
   double low_score = 0.30;         ///< Below it ...
   double min_wall_m = 3.0;         ///< ... so much wall must hold the pose, both directions summed.
-  double rival_agreement = 0.8;  ///< A different pose of this share of the agreement, contradicted
-                                 ///< no more, makes the answer ambiguous: a row of doors.
+  /// A different pose of this share of the agreement, contradicted no more, makes the answer
+  /// ambiguous: a row of doors.
+  double rival_agreement = 0.8;
   double min_constraint_m = 0.5;     ///< Wall that must hold the weakest direction of the pose.
   double min_agreement = 0.10;       ///< Below it the scans do not overlap.
   double same_translation_m = 0.30;  ///< Poses nearer than both of these are one answer.
