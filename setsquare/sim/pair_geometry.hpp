@@ -13,12 +13,19 @@ struct PairGeometry {
   /// Share of the current scan's returns that, at the true pose, lie within 0.2 m of a surface that
   /// the reference saw.
   double overlap = 0.0;
-  /// Standard deviation of the translation along the worst direction, in m, and of the rotation, in
-  /// rad, that the surfaces seen by both allow with independent beams: large where nothing in
-  /// common stands across that direction.
-  double worst_translation_m = 0.0;
-  double rotation_rad = 0.0;
+  /// Length of the surfaces seen by both, weighted by how squarely they stand across the worst
+  /// direction, the rotation being free: 0 along a bare corridor.
+  double wall_across_m = 0.0;
+  /// The same for the rotation, the translation being free: length times squared lever arm. 0 in
+  /// the middle of a bare round hall.
+  double wall_turning_m3 = 0.0;
   double worst_direction_rad = 0.0;  ///< In the map frame, modulo pi.
+
+  /// Whether the surfaces seen by both determine the relative pose: at least 0.3 m of wall across
+  /// every direction and 0.3 m^3 against rotation.
+  [[nodiscard]] bool is_determined() const {
+    return wall_across_m >= 0.3 && wall_turning_m3 >= 0.3;
+  }
 };
 
 [[nodiscard]] PairGeometry pair_geometry(const RayCaster& caster,
