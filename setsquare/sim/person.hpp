@@ -22,7 +22,8 @@ struct Disc {
   double radius_m = 0.0;
 };
 
-/// Two legs a person, at a time; they swing while the person walks.
+/// Two legs a person, at a time: 12 cm thick and 20 cm apart; they swing while the person walks.
+/// Continuous in time. Who stands faces the direction of `phase_s` taken as an angle in rad.
 [[nodiscard]] std::vector<Disc> legs_at(const std::vector<Person>& people, double time_s);
 
 }  // namespace setsquare

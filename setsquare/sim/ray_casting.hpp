@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <optional>
-#include <vector>
 
 #include "setsquare/sim/floor_plan.hpp"
+#include "setsquare/sim/segment_grid.hpp"
 
 namespace setsquare {
 
@@ -22,12 +22,13 @@ struct RayHit {
 /// Immutable: any number of threads may cast at once.
 class RayCaster {
  public:
+  /// Throws ParameterError where a corner of the plan is not finite or farther than 1e9 m.
   explicit RayCaster(FloorPlan plan);
 
   [[nodiscard]] const FloorPlan& plan() const { return plan_; }
 
   /// The nearest hit farther than `from_m` and not beyond `max_range_m`; `direction` is a unit
-  /// vector in the map frame.
+  /// vector in the map frame. A segment seen exactly edge-on is not hit.
   [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector2d& origin_m,
                                            const Eigen::Vector2d& direction,
                                            double max_range_m,
@@ -35,7 +36,7 @@ class RayCaster {
 
  private:
   FloorPlan plan_;
-  // The grid: owned by the implementer of this file.
+  SegmentGrid grid_;
 };
 
 }  // namespace setsquare

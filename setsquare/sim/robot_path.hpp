@@ -12,23 +12,60 @@ namespace setsquare {
 /// How fast a robot drives and turns.
 struct RobotSpeed {
   double drive_m_per_s = 0.5;
-  double turn_rad_per_s = 0.5;
+  double turn_rad_per_s = 0.5;   ///< In place and, at most, in corners: it drives slower there.
   double corner_radius_m = 0.4;  ///< Corners of the route are rounded where there is room.
+
+  /// Throws ParameterError where a speed is not positive or the radius is negative.
+  void validate() const;
 };
 
-/// Where a robot is at any time: it follows a route of straight pieces, turning at the corners.
+/// Where a robot is at any time: it follows a route of straight pieces, turning at the corners. Its
+/// pose is continuous in time and its heading is that of its motion.
 class RobotPath {
  public:
+  /// Waypoints that repeat the one before are dropped. A corner is an arc that takes at most half
+  /// of the shorter piece at either side; where the arc would be tighter than 2 cm (a reversal),
+  /// the robot turns in place. A single waypoint: it stands there with heading 0.
+  /// Throws ParameterError where the route is empty or not finite.
   explicit RobotPath(const std::vector<Eigen::Vector2d>& route_m, const RobotSpeed& speed = {});
 
-  [[nodiscard]] double duration_s() const;
-  [[nodiscard]] double length_m() const;
+  [[nodiscard]] double duration_s() const { return duration_s_; }
+  /// Of the way driven: a little less than the route, whose corners are cut.
+  [[nodiscard]] double length_m() const { return length_m_; }
   /// T_map_base at a time; before the start and after the end the robot stands.
   [[nodiscard]] Pose2 pose_at(double time_s) const;
+  /// When the robot passes the place at a distance along the route as it was given (the polyline,
+  /// corners not rounded); the start and the end for distances beyond them. Where the robot turns
+  /// in place: before the turn.
+  [[nodiscard]] double time_at_route_distance(double distance_m) const;
+  [[nodiscard]] const RobotSpeed& speed() const { return speed_; }
+
+ private:
+  /// Straight on, along an arc, or turning in place, all at constant speeds.
+  struct Piece {
+    Pose2 start;
+    double start_s = 0.0;
+    double duration_s = 0.0;
+    double drive_m_per_s = 0.0;
+    double turn_rad_per_s = 0.0;
+    double route_start_m = 0.0;  // Along the route as given.
+    double route_m = 0.0;
+    Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // Of the start.
+  };
+
+  void add_straight(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m);
+  void add_turn(const Eigen::Vector2d& start_m, double heading_rad, double turn_rad, double cut_m);
+  void append(Piece piece);
+
+  RobotSpeed speed_;
+  std::vector<Piece> pieces_;  // Never empty.
+  double duration_s_ = 0.0;
+  double length_m_ = 0.0;
+  double route_m_ = 0.0;
 };
 
-/// Times at which the robot has moved by `distance_m` or turned by `angle_rad` since the last one;
-/// the first is 0.
+/// Times at which the robot is `distance_m` away from where it was at the last one, or has turned
+/// by `angle_rad` since then; the first is 0. Throws ParameterError where one is not positive.
 [[nodiscard]] std::vector<double> sample_times(const RobotPath& path,
                                                double distance_m,
                                                double angle_rad);

@@ -25,13 +25,19 @@ struct ScannerModel {
   double beam_count_jitter = 0.0;  ///< The number of beams varies from scan to scan by this share.
 };
 
-/// Hokuyo UTM-30LX as its data sheet says: 270 deg, 0.25 deg, 30 m, 40 Hz.
+/// Standard deviation of a range's noise, in m.
+[[nodiscard]] double range_noise_m(const ScannerModel& scanner, double range_m);
+
+/// Hokuyo UTM-30LX as its data sheet says: 270 deg, 0.25 deg, 30 m, 40 Hz. Divergence and
+/// drop-outs, of which the data sheet says nothing, are ours.
 [[nodiscard]] ScannerModel utm_30lx();
 /// A cheap rotating scanner: about 360 beams around, 8 m, 10 Hz, changing beam count.
 [[nodiscard]] ScannerModel low_cost_360();
 /// The same scanner with another field of view about the front and the same step; 2 pi at most.
+/// Throws ParameterError where that is not positive, too wide, or less than a step.
 [[nodiscard]] ScannerModel with_field_of_view(ScannerModel model, double field_of_view_rad);
 /// The same field of view with fewer beams, evenly over it.
+/// Throws ParameterError for less than 2.
 [[nodiscard]] ScannerModel with_num_beams(ScannerModel model, std::size_t num_beams);
 
 }  // namespace setsquare

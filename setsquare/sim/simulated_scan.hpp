@@ -23,8 +23,10 @@ struct SimulatedScan {
 };
 
 /// What a scanner on a robot sees while the robot moves along a path. The sensor's frame is the
-/// base's.
-/// `time_s`: of the first beam, since the path's start; it becomes the scan's stamp.
+/// base's. Beams that return nothing are written as max_range_m + 1. The people stand still during
+/// the sweep, where they are in its middle.
+/// `time_s`: of the first beam, since the path's start; it becomes the scan's stamp. The same state
+/// of `random` gives the same scan; every beam draws as many numbers, whatever it meets.
 [[nodiscard]] SimulatedScan simulate_scan(const RayCaster& caster,
                                           const std::vector<Person>& people,
                                           const ScannerModel& scanner,
