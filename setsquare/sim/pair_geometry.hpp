@@ -5,6 +5,7 @@
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/sim/ray_casting.hpp"
 #include "setsquare/sim/scanner_model.hpp"
+#include "setsquare/sim/visible_surface.hpp"
 
 namespace setsquare {
 
@@ -28,6 +29,13 @@ struct PairGeometry {
   }
 };
 
+/// Of what two scans see: computed once a scan, compared once a pair. Each return that both have in
+/// common weighs the length of wall that it stands for; normals are those of WallNormals, levers
+/// about the centroid of the common returns.
+[[nodiscard]] PairGeometry pair_geometry(const VisibleSurface& reference,
+                                         const VisibleSurface& current);
+
+/// The same from the poses of the sensor.
 [[nodiscard]] PairGeometry pair_geometry(const RayCaster& caster,
                                          const ScannerModel& scanner,
                                          const Pose2& T_map_reference,

@@ -8,7 +8,7 @@
 
 namespace setsquare {
 
-RayCaster::RayCaster(FloorPlan plan) : plan_(std::move(plan)), grid_(plan_) {}
+RayCaster::RayCaster(FloorPlan plan) : plan_(std::move(plan)), grid_(plan_), wall_normals_(plan_) {}
 
 std::optional<RayHit> RayCaster::cast(const Eigen::Vector2d& origin_m,
                                       const Eigen::Vector2d& direction,

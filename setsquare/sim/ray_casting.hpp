@@ -8,6 +8,7 @@
 
 #include "setsquare/sim/floor_plan.hpp"
 #include "setsquare/sim/segment_grid.hpp"
+#include "setsquare/sim/wall_normals.hpp"
 
 namespace setsquare {
 
@@ -27,6 +28,9 @@ class RayCaster {
 
   [[nodiscard]] const FloorPlan& plan() const { return plan_; }
 
+  /// Normals of the walls, round ones included: `incidence_cos` is that to the segment's own.
+  [[nodiscard]] const WallNormals& wall_normals() const { return wall_normals_; }
+
   /// The nearest hit farther than `from_m` and not beyond `max_range_m`; `direction` is a unit
   /// vector in the map frame. A segment seen exactly edge-on is not hit.
   [[nodiscard]] std::optional<RayHit> cast(const Eigen::Vector2d& origin_m,
@@ -37,6 +41,7 @@ class RayCaster {
  private:
   FloorPlan plan_;
   SegmentGrid grid_;
+  WallNormals wall_normals_;
 };
 
 }  // namespace setsquare
