@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/sim/building_furnishing.hpp"
+#include "setsquare/sim/building_layouts.hpp"
+#include "setsquare/sim/building_openings.hpp"
+#include "setsquare/sim/building_wing.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A round room and how far it reaches to any side.
+struct RoundRoom {
+  Eigen::Vector2d center_m;
+  double inner_radius_m;  ///< Inside of all sides.
+  double outer_radius_m;
+  Room room;
+};
+
+/// A circle, an ellipse, or an irregular polygon: uneven corners on an ellipse.
+RoundRoom draw_round_room(const Eigen::Vector2d& center_m, double radius_m, Random& random) {
+  const double ratio = random.chance(0.35) ? 1.0 : random.uniform(0.7, 1.0);
+  const Pose2 T_map_center{center_m.x(), center_m.y(), random.uniform(-kPi, kPi)};
+  ConvexPolygon outline;
+  if (random.chance(0.55)) {
+    outline = ellipse(T_map_center, radius_m, ratio * radius_m, 48);
+  } else {
+    const int num_corners = random.integer(5, 9);
+    for (int i = 0; i < num_corners; ++i) {
+      const double angle = kTwoPi * (i + random.uniform(-0.3, 0.3)) / num_corners;
+      outline.push_back(T_map_center * Eigen::Vector2d(radius_m * std::cos(angle),
+                                                       ratio * radius_m * std::sin(angle)));
+    }
+  }
+  const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
+  RoundRoom round{center_m, radius_m, radius_m, {outline, RoomUse::kRound, seed, {}}};
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d side = (outline[(i + 1) % outline.size()] - outline[i]).normalized();
+    const Eigen::Vector2d spoke = outline[i] - center_m;
+    const double depth = std::abs(side.x() * spoke.y() - side.y() * spoke.x());
+    round.inner_radius_m = std::min(round.inner_radius_m, depth);
+  }
+  return round;
+}
+
+/// A passage from centre to centre: what lies in the rooms vanishes in them.
+void add_passage(BuildingSketch& sketch,
+                 const Eigen::Vector2d& from_m,
+                 const Eigen::Vector2d& to_m,
+                 Random& random) {
+  const Eigen::Vector2d way = to_m - from_m;
+  const Pose2 T_map_passage{from_m.x(), from_m.y(), std::atan2(way.y(), way.x())};
+  const double half_width = random.uniform(0.5, 1.0);
+  const ConvexPolygon passage = rectangle(T_map_passage, 0.0, -half_width, way.norm(), half_width);
+  sketch.spaces.push_back({passage, {}});
+  sketch.kept_free.push_back(rectangle(T_map_passage, 0.0, -0.4, way.norm(), 0.4));
+}
+
+/// Rooms in a chain, each beside the one before; those that find no place are left out.
+std::vector<RoundRoom> add_chain(BuildingSketch& sketch, Random& random) {
+  constexpr int kTries = 30;
+  std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(3.0, 7.0), random)};
+  sketch.spaces.push_back({chain[0].room.outline, {}});
+  const int num_rooms = random.integer(4, 6);
+  for (int i = 0; i < kTries && static_cast<int>(chain.size()) < num_rooms; ++i) {
+    const double radius = random.uniform(2.8, 7.0);
+    const double gap = random.uniform(0.3, 3.0);
+    const double direction = random.uniform(-kPi, kPi);
+    const RoundRoom& last = chain.back();
+    const double distance = last.outer_radius_m + radius + gap;
+    const Eigen::Vector2d center =
+        last.center_m + distance * Eigen::Vector2d(std::cos(direction), std::sin(direction));
+    const RoundRoom next = draw_round_room(center, radius, random);
+    if (!is_unbuilt(sketch, next.room.outline, 0.2)) continue;
+    add_passage(sketch, last.center_m, center, random);
+    sketch.spaces.push_back({next.room.outline, {}});
+    chain.push_back(next);
+  }
+  return chain;
+}
+
+/// From room to room by the centres, with a detour in most of them.
+void add_route(BuildingSketch& sketch, const std::vector<RoundRoom>& chain, Random& random) {
+  for (const RoundRoom& room : chain) {
+    const double reach = room.inner_radius_m - 1.1;
+    sketch.route_m.push_back(room.center_m);
+    if (reach < 0.8) continue;
+    const int num_stops = random.integer(1, 3);
+    double direction = random.uniform(-kPi, kPi);
+    for (int i = 0; i < num_stops; ++i) {
+      const double radius = random.uniform(0.6, 1.0) * reach;
+      sketch.route_m.push_back(room.center_m +
+                               radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+      direction += random.uniform(0.8, 2.2);
+    }
+    sketch.route_m.push_back(room.center_m);
+  }
+}
+
+/// Closed doors, windows and niches in the straight sides.
+void add_recesses(BuildingSketch& sketch, const RoundRoom& room, Random& random) {
+  const ConvexPolygon& outline = room.room.outline;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const Eigen::Vector2d side = outline[(i + 1) % outline.size()] - outline[i];
+    const double width = random.uniform(0.8, 1.6);
+    const double share = random.uniform(0.3, 0.7);
+    if (side.norm() < 2.2 || random.chance(0.4)) continue;
+    const Eigen::Vector2d middle = outline[i] + share * side;
+    const Pose2 place{middle.x(), middle.y(), std::atan2(side.y(), side.x()) - 0.5 * kPi};
+    if (!is_unbuilt(sketch, rectangle(place, 0.05, -0.5 * width, 0.6, 0.5 * width), 0.04)) continue;
+    const double depth = random.uniform(0.08, 0.4);
+    const double kind = random.uniform();
+    if (kind < 0.4)
+      add_closed_door(sketch, place, std::min(width, 1.0), 0.5 * depth);
+    else if (kind < 0.7)
+      add_window(sketch, place, width, 0.5 * depth);
+    else
+      add_niche(sketch, place, width, depth);
+  }
+}
+
+}  // namespace
+
+BuildingSketch sketch_round(Random& random) {
+  BuildingSketch sketch;
+  const std::vector<RoundRoom> chain = add_chain(sketch, random);
+  for (const RoundRoom& room : chain) add_recesses(sketch, room, random);
+  add_route(sketch, chain, random);
+  for (const RoundRoom& room : chain) furnish(sketch, room.room);
+  for (const RoundRoom& room : chain)
+    add_people(sketch, room.room.outline, random.integer(0, 2), 0.5, random);
+  return sketch;
+}
+
+}  // namespace setsquare
