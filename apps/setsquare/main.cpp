@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     setsquare::app::add_explain(application);
     setsquare::app::add_match(application);
     setsquare::app::add_map(application);
+    setsquare::app::add_experiment(application);
     return run(application, argc, argv);
   } catch (const std::exception& error) {
     return complain(error.what());

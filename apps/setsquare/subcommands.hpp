@@ -12,6 +12,7 @@ namespace setsquare::app {
 void add_info(CLI::App& application);
 void add_map(CLI::App& application);
 void add_evaluate(CLI::App& application);
+void add_experiment(CLI::App& application);
 void add_explain(CLI::App& application);
 void add_match(CLI::App& application);
 

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/building_summary.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace setsquare::experiments {
+namespace {
+
+std::size_t overlap_bin(double overlap) {
+  return static_cast<std::size_t>(std::clamp(10.0 * overlap, 0.0, 9.0));
+}
+
+void add(MatcherSummary& summary, const PairTruth& truth, const PairAnswer& answer) {
+  summary.all.add(answer);
+  summary.all_by_overlap[overlap_bin(truth.overlap)].add(answer);
+  if (!truth.is_determined) return;
+  summary.determined.add(answer);
+  summary.by_overlap[overlap_bin(truth.overlap)].add(answer);
+  if (truth.overlap >= kHighOverlap) {
+    summary.high.add(answer);
+  } else if (truth.overlap >= kMiddleOverlap) {
+    summary.middle.add(answer);
+  }
+}
+
+void add(BuildingSummary& summary, const BuildingPairs& building) {
+  ++summary.num_buildings;
+  summary.clutter_share.add(building.clutter_share);
+  for (const PairRecord& record : building.pairs) {
+    const bool is_high = record.truth.overlap >= kHighOverlap;
+    ++summary.num_pairs;
+    summary.num_high += is_high;
+    summary.num_high_undetermined += is_high && !record.truth.is_determined;
+    summary.num_below_60 += record.truth.overlap < 0.6;
+    add(summary.ours, record.truth, record.ours);
+    add(summary.paper, record.truth, record.paper);
+  }
+}
+
+std::string text_row(const BuildingSummary& summary, const MatcherSummary& matcher, char mark) {
+  char line[240];
+  std::snprintf(line,
+                sizeof line,
+                "%-9s %c %6zu %6zu %7.2f %6zu %7.2f %8.2f %6zu %8.3f %7.4f %7.3f %6.2f %6.1f\n",
+                summary.name.c_str(),
+                mark,
+                matcher.all.num_pairs,
+                matcher.high.num_pairs,
+                100.0 * matcher.high.success_share(),
+                matcher.middle.num_pairs,
+                100.0 * matcher.middle.success_share(),
+                100.0 * matcher.all.matched_share(),
+                matcher.all.num_wrong,
+                100.0 * matcher.all.wrong_share(),
+                matcher.determined.success_error_m.mean(),
+                deg_from_rad(matcher.determined.success_error_rad.mean()),
+                matcher.all.nees.mean(),
+                100.0 * matcher.all.nees_inside_share());
+  return line;
+}
+
+}  // namespace
+
+BuildingSummary summarise(const BuildingStudy& study, std::optional<BuildingClass> building_class) {
+  BuildingSummary summary;
+  summary.name = building_class ? std::string(to_string(*building_class)) : "all";
+  for (const BuildingPairs& building : study.buildings) {
+    if (!building_class || building.building_class == *building_class) add(summary, building);
+  }
+  return summary;
+}
+
+std::vector<BuildingSummary> summarise_by_class(const BuildingStudy& study) {
+  std::vector<BuildingSummary> summaries;
+  for (const BuildingClass building_class : kAllBuildingClasses) {
+    summaries.push_back(summarise(study, building_class));
+  }
+  summaries.push_back(summarise(study));
+  return summaries;
+}
+
+PairLists list_pairs(const BuildingStudy& study) {
+  PairLists lists;
+  for (const BuildingPairs& building : study.buildings) {
+    for (const PairRecord& record : building.pairs) {
+      const ListedPair listed{&building, &record};
+      const bool is_high = record.truth.overlap >= kHighOverlap;
+      if (record.ours.is_wrong()) lists.wrong.push_back(listed);
+      if (is_high && !record.truth.is_determined) lists.excluded.push_back(listed);
+      if (is_high && record.truth.is_determined && !record.ours.is_success()) {
+        lists.failures.push_back(listed);
+      }
+    }
+  }
+  return lists;
+}
+
+std::string summary_text(const BuildingStudy& study) {
+  std::string text =
+      "d = default matcher, p = paper; success % of the pairs that the plan determines\n"
+      "class         pairs >=45 %   success 30-45 success matched  wrong % of mtd   err m  err deg "
+      "  NEES <7.81\n";
+  const std::vector<BuildingSummary> summaries = summarise_by_class(study);
+  for (const BuildingSummary& summary : summaries) text += text_row(summary, summary.ours, 'd');
+  for (const BuildingSummary& summary : summaries) text += text_row(summary, summary.paper, 'p');
+  const BuildingSummary& all = summaries.back();
+  char line[200];
+  std::snprintf(line,
+                sizeof line,
+                "%zu buildings; %.1f %% of the pairs below 60 %% overlap; clutter %.1f %% of the "
+                "returns; %zu pairs (%.2f %%) of >= 45 %% excluded as undetermined\n",
+                all.num_buildings,
+                100.0 * share(all.num_below_60, all.num_pairs),
+                100.0 * all.clutter_share.mean(),
+                all.num_high_undetermined,
+                100.0 * share(all.num_high_undetermined, all.num_high));
+  return text + line;
+}
+
+}  // namespace setsquare::experiments

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/chain_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace setsquare::experiments {
+namespace {
+
+/// Sums for a line through points.
+struct LineFit {
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+
+  void add(double px, double py) {
+    n += 1.0;
+    x += px;
+    y += py;
+    xx += px * px;
+    xy += px * py;
+    yy += py * py;
+  }
+  [[nodiscard]] double slope() const { return (n * xy - x * y) / (n * xx - x * x); }
+  [[nodiscard]] double correlation() const {
+    return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y));
+  }
+};
+
+}  // namespace
+
+std::vector<Pose2> placed_at_truth(std::span<const Pose2> chain, std::span<const Pose2> truth) {
+  const double difference_rad = truth.front().theta_rad - chain.front().theta_rad;
+  const double turn_rad = 0.5 * kPi * std::round(difference_rad / (0.5 * kPi));
+  const Pose2 turn{0.0, 0.0, turn_rad};
+  const Eigen::Vector2d start = turn * chain.front().translation();
+  const Pose2 move{truth.front().x_m - start.x(), truth.front().y_m - start.y(), turn_rad};
+  std::vector<Pose2> placed;
+  placed.reserve(chain.size());
+  for (const Pose2& pose : chain) placed.push_back(move * pose);
+  return placed;
+}
+
+std::vector<double> travelled_m(std::span<const Pose2> poses) {
+  std::vector<double> path_m(poses.size(), 0.0);
+  for (std::size_t k = 1; k < poses.size(); ++k) {
+    path_m[k] = path_m[k - 1] + (poses[k].translation() - poses[k - 1].translation()).norm();
+  }
+  return path_m;
+}
+
+HeadingErrors heading_errors(std::span<const Pose2> chain, std::span<const Pose2> truth) {
+  const std::vector<double> path_m = travelled_m(truth);
+  HeadingErrors errors;
+  LineFit signed_fit;
+  LineFit absolute_fit;
+  for (std::size_t k = 0; k < chain.size(); ++k) {
+    const double error_rad = wrap_to_pi(chain[k].theta_rad - truth[k].theta_rad);
+    errors.highest_rad = std::max(errors.highest_rad, std::abs(error_rad));
+    signed_fit.add(path_m[k], error_rad);
+    absolute_fit.add(path_m[k], std::abs(error_rad));
+    errors.end_rad = std::abs(error_rad);
+  }
+  errors.mean_rad = absolute_fit.y / absolute_fit.n;
+  errors.slope_rad_per_100_m = 100.0 * signed_fit.slope();
+  errors.correlation_with_path = absolute_fit.correlation();
+  return errors;
+}
+
+Eigen::Vector2d closure_error(std::span<const Pose2> chain,
+                              std::span<const Pose2> truth,
+                              std::size_t start,
+                              std::size_t end) {
+  const Pose2 answered = chain[start].inverse() * chain[end];
+  const Pose2 correct = truth[start].inverse() * truth[end];
+  const Pose2 heading{0.0, 0.0, truth[start].theta_rad};
+  return heading * Eigen::Vector2d(answered.translation() - correct.translation());
+}
+
+}  // namespace setsquare::experiments

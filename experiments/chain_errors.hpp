@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+
+namespace setsquare::experiments {
+
+/// Heading of a chain against the truth, along the way, in rad.
+struct HeadingErrors {
+  double highest_rad = 0.0;            ///< Of the absolute errors.
+  double mean_rad = 0.0;               ///< Of the absolute errors.
+  double end_rad = 0.0;                ///< Absolute error of the last scan.
+  double slope_rad_per_100_m = 0.0;    ///< Of the line through error against distance.
+  double correlation_with_path = 0.0;  ///< Of the absolute error with the distance.
+};
+
+/// The chain moved rigidly so that it begins at the first true position, turned by the multiple of
+/// 90 deg nearest to the first heading's difference: its axes stay the building's.
+[[nodiscard]] std::vector<Pose2> placed_at_truth(std::span<const Pose2> chain,
+                                                 std::span<const Pose2> truth);
+
+/// Distance travelled up to each pose, in m.
+[[nodiscard]] std::vector<double> travelled_m(std::span<const Pose2> poses);
+
+/// Both sequences in one frame, one pose a scan, at least two.
+[[nodiscard]] HeadingErrors heading_errors(std::span<const Pose2> chain,
+                                           std::span<const Pose2> truth);
+
+/// Translation from one scan to another as the chain has it, less the true one, in m along the axes
+/// of the map frame; each is taken in the frame of the scan that it starts from.
+[[nodiscard]] Eigen::Vector2d closure_error(std::span<const Pose2> chain,
+                                            std::span<const Pose2> truth,
+                                            std::size_t start,
+                                            std::size_t end);
+
+}  // namespace setsquare::experiments

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/sim/simulated_scan.hpp"
+
+namespace setsquare::experiments {
+
+/// The scans laid out at these poses (one a scan) as an occupancy grid with the track in it; a PNG
+/// file's bytes.
+[[nodiscard]] std::string map_png(std::span<const SimulatedScan> scans,
+                                  std::span<const Pose2> T_map_base);
+
+}  // namespace setsquare::experiments

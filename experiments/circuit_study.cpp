@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/circuit_study.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "experiments/chain_map.hpp"
+#include "experiments/simulated_run.hpp"
+#include "experiments/tally.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+Eigen::Vector2d point_at(const std::vector<Eigen::Vector2d>& route_m, double s_m) {
+  for (std::size_t i = 1; i < route_m.size(); ++i) {
+    const Eigen::Vector2d piece = route_m[i] - route_m[i - 1];
+    if (s_m <= piece.norm()) return route_m[i - 1] + piece * (s_m / piece.norm());
+    s_m -= piece.norm();
+  }
+  return route_m.back();
+}
+
+/// The scan nearest to a place of the route. The track passes places several times: the distance
+/// travelled, which rounded corners shorten by a few metres, tells which time is meant.
+std::size_t scan_at(const std::vector<Pose2>& truth,
+                    const std::vector<double>& path_m,
+                    const std::vector<Eigen::Vector2d>& route_m,
+                    double s_m) {
+  const Eigen::Vector2d place = point_at(route_m, s_m);
+  std::size_t nearest = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    const double distance_m =
+        (truth[k].translation() - place).norm() + 0.05 * std::abs(path_m[k] - s_m);
+    if (distance_m < least) {
+      least = distance_m;
+      nearest = k;
+    }
+  }
+  return nearest;
+}
+
+ChainOutcome judge_chain(ScanChain chain, const CircuitRun& run) {
+  ChainOutcome outcome;
+  outcome.chain = std::move(chain);
+  outcome.chain.T_map_base = placed_at_truth(outcome.chain.T_map_base, run.truth);
+  for (std::size_t c = 0; c < run.circuits.size(); ++c) {
+    outcome.closure_m[c] = closure_error(
+        outcome.chain.T_map_base, run.truth, run.circuits[c].start, run.circuits[c].end);
+  }
+  outcome.heading = heading_errors(outcome.chain.T_map_base, run.truth);
+  return outcome;
+}
+
+SimulatedRun simulate_track(const CircuitStudyParams& params,
+                            const PaperBuilding& world,
+                            std::uint64_t seed) {
+  const RobotPath path(world.building.route_m);
+  std::vector<double> times_s = sample_times(path, params.spacing_m, params.spacing_rad);
+  times_s.resize(std::min(times_s.size(), params.max_num_scans));
+  return simulate_run(world.building, path, times_s, {}, sub_seed(seed, 1));
+}
+
+void find_circuits(CircuitRun& run, const PaperBuilding& world) {
+  const std::vector<double> path_m = travelled_m(run.truth);
+  for (std::size_t c = 0; c < run.circuits.size(); ++c) {
+    const Circuit& circuit = world.circuits[c];
+    const auto at = [&](double s_m) {
+      return scan_at(run.truth, path_m, world.building.route_m, s_m);
+    };
+    const std::size_t start = at(circuit.start_s_m);
+    const std::size_t end = at(circuit.end_s_m);
+    run.circuits[c] = {std::string(circuit.order), start, end, path_m[end] - path_m[start]};
+  }
+}
+
+}  // namespace
+
+CircuitStudy study_circuits(const CircuitStudyParams& params,
+                            std::size_t num_threads,
+                            const Progress& progress) {
+  CircuitStudy study;
+  study.runs.resize(params.num_seeds);
+  const auto study_one = [&](std::size_t task) {
+    CircuitRun& run = study.runs[task];
+    run.seed = task + 1;
+    const PaperBuilding world = make_paper_building(run.seed);
+    const SimulatedRun simulated = simulate_track(params, world, run.seed);
+    for (const SimulatedScan& scan : simulated.scans) run.truth.push_back(scan.T_map_base);
+    find_circuits(run, world);
+    run.paper = judge_chain(chain_by_paper(simulated.scans), run);
+    run.ours = judge_chain(chain_by_default_matcher(simulated.scans), run);
+    if (task > 0) return;
+    study.plan = world.building.plan;
+    study.paper_map = map_png(simulated.scans, run.paper.chain.T_map_base);
+    study.default_map = map_png(simulated.scans, run.ours.chain.T_map_base);
+  };
+  run_in_parallel(params.num_seeds, num_threads, study_one, progress);
+  return study;
+}
+
+ClosureMedians closure_medians(const CircuitStudy& study, ChainOutcome CircuitRun::*outcome) {
+  ClosureMedians medians;
+  for (std::size_t c = 0; c < medians.norm_m.size(); ++c) {
+    std::vector<double> x_m, y_m, norm_m;
+    for (const CircuitRun& run : study.runs) {
+      const Eigen::Vector2d& error_m = (run.*outcome).closure_m[c];
+      x_m.push_back(std::abs(error_m.x()));
+      y_m.push_back(std::abs(error_m.y()));
+      norm_m.push_back(error_m.norm());
+    }
+    medians.x_m[c] = median(x_m);
+    medians.y_m[c] = median(y_m);
+    medians.norm_m[c] = median(norm_m);
+  }
+  return medians;
+}
+
+}  // namespace setsquare::experiments

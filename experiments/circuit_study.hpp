@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/chain_errors.hpp"
+#include "experiments/parallel.hpp"
+#include "experiments/scan_chain.hpp"
+#include "setsquare/drawing/image.hpp"
+#include "setsquare/sim/building.hpp"
+
+namespace setsquare::experiments {
+
+/// bando2014, section 5.2: the large building, scan to scan.
+struct CircuitStudyParams {
+  std::size_t num_seeds = 20;  ///< Seeds 1 ... num_seeds; the first one's map is drawn.
+  std::size_t max_num_scans = 2800;
+  double spacing_m = 0.4;
+  double spacing_rad = rad_from_deg(10.0);
+};
+
+/// A circuit of the track between the scans nearest to its start and its end.
+struct CircuitScans {
+  std::string order;
+  std::size_t start = 0;
+  std::size_t end = 0;
+  double length_m = 0.0;  ///< Travelled in between.
+};
+
+/// One matcher's way through the building, in the frame of the truth.
+struct ChainOutcome {
+  ScanChain chain;
+  std::array<Eigen::Vector2d, 2> closure_m;  ///< Error after each circuit, along the map's axes.
+  HeadingErrors heading;
+};
+
+struct CircuitRun {
+  std::uint64_t seed = 0;
+  std::vector<Pose2> truth;  ///< T_map_base, one a scan.
+  std::array<CircuitScans, 2> circuits;
+  ChainOutcome paper;
+  ChainOutcome ours;
+};
+
+struct CircuitStudy {
+  std::vector<CircuitRun> runs;
+  FloorPlan plan;           ///< Of the first run.
+  std::string paper_map;    ///< PNG of the first run's map by the paper's method ...
+  std::string default_map;  ///< ... and by the default matcher.
+};
+
+[[nodiscard]] CircuitStudy study_circuits(const CircuitStudyParams& params,
+                                          std::size_t num_threads,
+                                          const Progress& progress = {});
+
+/// Medians over the seeds, one a circuit.
+struct ClosureMedians {
+  std::array<double, 2> x_m{};     ///< Of the absolute errors along the map's x ...
+  std::array<double, 2> y_m{};     ///< ... its y ...
+  std::array<double, 2> norm_m{};  ///< ... and of their norms.
+};
+[[nodiscard]] ClosureMedians closure_medians(const CircuitStudy& study,
+                                             ChainOutcome CircuitRun::*outcome);
+
+}  // namespace setsquare::experiments

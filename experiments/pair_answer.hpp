@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <optional>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/match_result.hpp"
+
+namespace setsquare::experiments {
+
+/// A pose nearer to the truth than both of these is a success (bando2014, section 5.1).
+inline constexpr double kSuccess_m = 0.2;
+inline constexpr double kSuccess_rad = rad_from_deg(30.0);
+/// An answer `matched` that is further off than either of these is wrong.
+inline constexpr double kWrong_m = 0.2;
+inline constexpr double kWrong_rad = rad_from_deg(3.0);
+/// The 95 % quantile of a chi-square variable of three degrees of freedom.
+inline constexpr double kNees95 = 7.81;
+
+/// A matcher's answer of one pair, judged by the truth.
+struct PairAnswer {
+  MatchStatus status = MatchStatus::kTooFewPoints;
+  /// Answer less truth: (x, y) in m in the reference's frame, heading in rad; NaN where there is no
+  /// pose.
+  Eigen::Vector3d error = Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+  /// e^T Omega e of that error, where the answer is `matched` and its information has full rank.
+  std::optional<double> nees = std::nullopt;
+
+  [[nodiscard]] double error_m() const { return error.head<2>().norm(); }
+  [[nodiscard]] double error_rad() const { return std::abs(error.z()); }
+  [[nodiscard]] bool is_matched() const { return status == MatchStatus::kMatched; }
+  [[nodiscard]] bool is_success() const {
+    return error_m() <= kSuccess_m && error_rad() <= kSuccess_rad;
+  }
+  [[nodiscard]] bool is_wrong() const {
+    return is_matched() && !(error_m() <= kWrong_m && error_rad() <= kWrong_rad);
+  }
+};
+
+/// (x, y, theta) of an answered relative pose less the true one, theta in [-pi, pi).
+[[nodiscard]] Eigen::Vector3d pose_error(const Pose2& answered, const Pose2& truth);
+
+/// Judges an answer by the true relative pose.
+[[nodiscard]] PairAnswer judge(const MatchResult& result, const Pose2& T_reference_current);
+
+}  // namespace setsquare::experiments

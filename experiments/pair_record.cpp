@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/pair_record.hpp"
+
+#include "setsquare/matching/paper_matcher.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/sim/pair_geometry.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+PairTruth truth_of_pair(const SimulatedRun& run,
+                        std::size_t reference,
+                        std::size_t current,
+                        const ScannerModel& judge_scanner) {
+  const SimulatedScan& first = run.scans[reference];
+  const SimulatedScan& second = run.scans[current];
+  const PairGeometry geometry =
+      pair_geometry(run.caster, judge_scanner, first.T_map_base, second.T_map_base);
+  return {.reference = reference,
+          .current = current,
+          .T_reference_current = true_relative_pose(first, second),
+          .overlap = geometry.overlap,
+          .is_determined = geometry.is_determined(),
+          .worst_direction_rad =
+              wrap_to_period(geometry.worst_direction_rad - first.T_map_base.theta_rad, kPi),
+          .clutter_share = 0.5 * (first.clutter_share + second.clutter_share)};
+}
+
+}  // namespace
+
+std::vector<PairRecord> match_pairs(const SimulatedRun& run, const PairParams& params) {
+  std::vector<PreparedScan> prepared;
+  std::vector<PreparedPaperScan> prepared_paper;
+  for (const SimulatedScan& simulated : run.scans) {
+    prepared.push_back(prepare(simulated.scan));
+    if (params.has_paper) prepared_paper.push_back(prepare_paper(simulated.scan));
+  }
+  std::vector<PairRecord> records;
+  for (std::size_t i = 0; i < run.scans.size(); ++i) {
+    for (std::size_t j = i + 1; j < run.scans.size(); ++j) {
+      const Pose2 T_i_j = true_relative_pose(run.scans[i], run.scans[j]);
+      if (T_i_j.translation().norm() > params.max_distance_m) continue;
+      PairRecord record{truth_of_pair(run, i, j, params.judge_scanner), {}, {}};
+      record.ours = judge(match(prepared[i], prepared[j]), T_i_j);
+      if (params.has_paper) {
+        record.paper = judge(match_paper(prepared_paper[i], prepared_paper[j]), T_i_j);
+      }
+      records.push_back(record);
+    }
+  }
+  return records;
+}
+
+}  // namespace setsquare::experiments

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/building_study.hpp"
+#include "experiments/json.hpp"
+
+namespace setsquare::experiments {
+
+/// What to run, on how many threads.
+struct PaperExperimentParams {
+  std::vector<std::string> sections = {};  ///< Of paper_section_names; empty for all.
+  std::size_t num_threads = 2;
+  bool is_quick = false;  ///< A few seeds of everything, to see whether it works.
+};
+
+/// "section_5_1", "buildings", "factors", "section_5_2", "honesty": the order of the page.
+[[nodiscard]] const std::vector<std::string>& paper_section_names();
+
+/// Told how far each section is: name, tasks done, tasks in all.
+using SectionProgress = std::function<void(std::string_view, std::size_t, std::size_t)>;
+
+/// What was run; what was not is empty.
+struct PaperExperiment {
+  std::optional<BuildingStudy> buildings;
+  Json timing;  ///< Wall times; everything else depends on nothing but the seeds.
+};
+
+/// Runs the sections. Throws ParameterError where a name is none of paper_section_names.
+[[nodiscard]] PaperExperiment run_paper_experiment(const PaperExperimentParams& params,
+                                                   const SectionProgress& progress = {});
+
+/// All numbers; "timing" is the only part that differs from run to run.
+[[nodiscard]] std::string paper_json(const PaperExperiment& experiment);
+/// One page that needs no other file.
+[[nodiscard]] std::string paper_html(const PaperExperiment& experiment);
+/// A few lines for a terminal.
+[[nodiscard]] std::string paper_text(const PaperExperiment& experiment);
+
+}  // namespace setsquare::experiments

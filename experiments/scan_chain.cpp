@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/scan_chain.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/LU>
+
+#include "setsquare/graph/heading_fusion.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/matching/square_direction.hpp"
+#include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/slam/mapper.hpp"
+#include "setsquare/slam/paper_mapper.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+void count(ChainCounts& counts, MatchStatus status) {
+  switch (status) {
+    case MatchStatus::kMatched:
+      ++counts.num_matched;
+      return;
+    case MatchStatus::kDegenerate:
+      ++counts.num_degenerate;
+      return;
+    case MatchStatus::kAmbiguous:
+      ++counts.num_ambiguous;
+      return;
+    case MatchStatus::kNoOverlap:
+    case MatchStatus::kTooFewPoints:
+    case MatchStatus::kRejected:
+      ++counts.num_unmatched;
+      return;
+  }
+}
+
+/// A match with the scan before, and the motion that the chain takes from it.
+struct Link {
+  MatchResult result;
+  Pose2 motion;
+};
+
+std::vector<Link> link_scans(std::span<const SimulatedScan> scans) {
+  std::vector<Link> links(scans.size());
+  PreparedScan previous = prepare(scans.front().scan);
+  for (std::size_t k = 1; k < scans.size(); ++k) {
+    PreparedScan current = prepare(scans[k].scan);
+    links[k].result = match(previous, current);
+    links[k].motion = motion_from(links[k].result, links[k - 1].motion);
+    previous = std::move(current);
+  }
+  return links;
+}
+
+/// What Mapper tells the fusion of a keyframe, here of every scan.
+std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> scans,
+                                              const std::vector<Link>& links) {
+  const MapperParams params;
+  std::vector<HeadingEvidence> evidence(scans.size());
+  double tracked_rad = 0.0;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    const double turn_rad = links[k].motion.theta_rad;
+    const bool is_turn_known = links[k].result.status == MatchStatus::kMatched ||
+                               links[k].result.status == MatchStatus::kDegenerate;
+    tracked_rad += turn_rad;
+    evidence[k].tracked_heading_rad = tracked_rad;
+    evidence[k].step_sigma_rad = std::hypot(
+        params.rotation.step_sigma_rad + params.rotation.sigma_per_turn * std::abs(turn_rad),
+        is_turn_known ? 0.0 : params.rotation.lost_sigma_rad);
+    const SquareDirections directions = square_directions(
+        points_from_scan(scans[k].scan), scans[k].scan.bearing_step_rad, params.direction);
+    const double confidence =
+        std::clamp((directions.margin() - 1.0) / (params.confident_margin - 1.0), 0.0, 1.0);
+    if (directions.peaks.empty() || confidence <= 0.0) continue;
+    const SquareDirection& peak = directions.peaks.front();
+    evidence[k].proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
+  }
+  return evidence;
+}
+
+}  // namespace
+
+Pose2 motion_from(const MatchResult& result, const Pose2& last_motion) {
+  if (!result.T_reference_current) return last_motion;
+  const Pose2& answered = *result.T_reference_current;
+  if (result.status == MatchStatus::kMatched) return answered;
+  if (result.degenerate_direction_rad) {
+    const Eigen::Vector2d along(std::cos(*result.degenerate_direction_rad),
+                                std::sin(*result.degenerate_direction_rad));
+    const Eigen::Vector2d open = last_motion.translation() - answered.translation();
+    const Eigen::Vector2d p = answered.translation() + along * along.dot(open);
+    return {p.x(), p.y(), answered.theta_rad};
+  }
+  if (result.status != MatchStatus::kAmbiguous || !result.runner_up) return last_motion;
+  const Pose2& other = result.runner_up->T_reference_current;
+  const auto distance = [&last_motion](const Pose2& pose) {
+    return (pose.translation() - last_motion.translation()).norm() +
+           std::abs(wrap_to_pi(pose.theta_rad - last_motion.theta_rad));
+  };
+  return distance(other) < distance(answered) ? other : answered;
+}
+
+Eigen::Vector2d translation_given_turn(const MatchResult& result,
+                                       const Pose2& answered,
+                                       double turn_rad) {
+  const Eigen::Matrix2d binding = result.information.topLeftCorner<2, 2>();
+  const Eigen::FullPivLU<Eigen::Matrix2d> solver(binding);
+  if (result.status != MatchStatus::kMatched || !solver.isInvertible()) {
+    return answered.translation();
+  }
+  const double change_rad = wrap_to_pi(turn_rad - answered.theta_rad);
+  const Eigen::Vector2d pull = result.information.topRightCorner<2, 1>() * change_rad;
+  return answered.translation() - solver.solve(pull);
+}
+
+ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans) {
+  ScanChain chain;
+  if (scans.empty()) return chain;
+  const std::vector<Link> links = link_scans(scans);
+  const std::vector<double> heading_rad = fuse_headings(heading_evidence(scans, links)).heading_rad;
+  chain.T_map_base.push_back({0.0, 0.0, wrap_to_pi(heading_rad[0])});
+  for (std::size_t k = 1; k < scans.size(); ++k) {
+    const double turn_rad = heading_rad[k] - heading_rad[k - 1];
+    const Eigen::Vector2d step = translation_given_turn(links[k].result, links[k].motion, turn_rad);
+    chain.T_map_base.push_back(chain.T_map_base.back() * Pose2{step.x(), step.y(), turn_rad});
+    count(chain.counts, links[k].result.status);
+  }
+  return chain;
+}
+
+ScanChain chain_by_paper(std::span<const SimulatedScan> scans) {
+  // Any motion makes a keyframe: each scan's reference is the last one that was placed.
+  PaperMapperParams params;
+  params.keyframe_distance_m = 1e-9;
+  params.keyframe_turn_rad = 1e-9;
+  PaperMapper mapper(params);
+  for (const SimulatedScan& simulated : scans) static_cast<void>(mapper.add(simulated.scan));
+  ScanChain chain;
+  for (const MappedScan& placed : mapper.finish().scans) {
+    chain.T_map_base.push_back(placed.T_map_base);
+    if (placed.status == TrackStatus::kLost) {
+      ++chain.counts.num_unmatched;
+    } else if (chain.T_map_base.size() > 1) {
+      ++chain.counts.num_matched;
+    }
+  }
+  return chain;
+}
+
+}  // namespace setsquare::experiments

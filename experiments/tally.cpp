@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/tally.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace setsquare::experiments {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+void Spread::add(double value) {
+  ++count;
+  sum += value;
+  sum_of_squares += value * value;
+  highest = std::max(highest, value);
+}
+
+double Spread::mean() const { return count == 0 ? kNaN : sum / static_cast<double>(count); }
+
+double Spread::sigma() const {
+  if (count == 0) return kNaN;
+  const double variance = sum_of_squares / static_cast<double>(count) - mean() * mean();
+  return std::sqrt(std::max(variance, 0.0));
+}
+
+double share(std::size_t part, std::size_t whole) {
+  return whole == 0 ? kNaN : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return kNaN;
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+}
+
+void Tally::add(const PairAnswer& answer) {
+  ++num_pairs;
+  num_matched += answer.is_matched();
+  num_wrong += answer.is_wrong();
+  if (answer.is_success()) {
+    ++num_success;
+    num_matched_success += answer.is_matched();
+    success_error_m.add(answer.error_m());
+    success_error_rad.add(answer.error_rad());
+  }
+  if (answer.nees) {
+    nees.add(*answer.nees);
+    num_nees_inside += *answer.nees < kNees95;
+  }
+}
+
+}  // namespace setsquare::experiments
