@@ -53,7 +53,7 @@ RobotPath::RobotPath(const std::vector<Eigen::Vector2d>& route_m, const RobotSpe
         std::min({speed.corner_radius_m * tangent, 0.5 * way.norm(), 0.5 * next_way.norm()});
     if (cut_m < kTightestArc_m * tangent) cut_m = 0.0;
     const Eigen::Vector2d arc_start_m = corners_m[i] - cut_m * way.normalized();
-    add_straight(at_m, arc_start_m);
+    add_straight(at_m, heading_of(way), way.normalized().dot(arc_start_m - at_m));
     add_turn(arc_start_m, heading_of(way), turn_rad, cut_m);
     at_m = corners_m[i] + cut_m * next_way.normalized();
   }
@@ -70,11 +70,9 @@ void RobotPath::append(Piece piece) {
   pieces_.push_back(piece);
 }
 
-void RobotPath::add_straight(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m) {
-  const Eigen::Vector2d way = end_m - start_m;
-  const double length_m = way.norm();
-  if (length_m <= 0.0) return;
-  append({.start = {start_m.x(), start_m.y(), heading_of(way)},
+void RobotPath::add_straight(const Eigen::Vector2d& start_m, double heading_rad, double length_m) {
+  if (length_m < 1e-9) return;  // What rounding leaves between two arcs.
+  append({.start = {start_m.x(), start_m.y(), heading_rad},
           .duration_s = length_m / speed_.drive_m_per_s,
           .drive_m_per_s = speed_.drive_m_per_s,
           .route_m = length_m});

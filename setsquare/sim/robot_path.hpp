@@ -53,7 +53,7 @@ class RobotPath {
     Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // Of the start.
   };
 
-  void add_straight(const Eigen::Vector2d& start_m, const Eigen::Vector2d& end_m);
+  void add_straight(const Eigen::Vector2d& start_m, double heading_rad, double length_m);
   void add_turn(const Eigen::Vector2d& start_m, double heading_rad, double turn_rad, double cut_m);
   void append(Piece piece);
 

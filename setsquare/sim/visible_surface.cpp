@@ -31,11 +31,17 @@ std::optional<Eigen::Vector2d> shared_corner(const PlanSegment& a, const PlanSeg
   return std::nullopt;
 }
 
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// Joins the points that consecutive beams see to pieces of wall.
 class PieceChain {
  public:
-  PieceChain(const FloorPlan& plan, std::vector<SurfacePiece>& pieces)
-      : plan_(plan), pieces_(pieces) {}
+  PieceChain(const FloorPlan& plan,
+             const Eigen::Vector2d& origin_m,
+             std::vector<SurfacePiece>& pieces)
+      : plan_(plan), origin_m_(origin_m), pieces_(pieces) {}
 
   void add(const SeenPoint& seen) {
     if (seen.segment) {
@@ -54,11 +60,26 @@ class PieceChain {
     if (last_.segment) {
       corner_m = shared_corner(plan_.segments[*last_.segment], plan_.segments[*seen.segment]);
     }
+    if (corner_m && !is_between(*corner_m, last_.p_m, seen.p_m)) corner_m.reset();
     if (corner_m) pieces_.back().end_m = *corner_m;
     pieces_.push_back({corner_m.value_or(seen.p_m), seen.p_m});
   }
 
+  /// Whether the beams to two points, less than half a turn apart, have a corner between them.
+  bool is_between(const Eigen::Vector2d& corner_m,
+                  const Eigen::Vector2d& first_m,
+                  const Eigen::Vector2d& second_m) const {
+    const Eigen::Vector2d first = first_m - origin_m_;
+    const Eigen::Vector2d second = second_m - origin_m_;
+    const Eigen::Vector2d corner = corner_m - origin_m_;
+    const double sense = cross(first, second) < 0.0 ? -1.0 : 1.0;
+    const double slack = 1e-9 * corner.norm();
+    return sense * cross(first, corner) >= -slack * first.norm() &&
+           sense * cross(corner, second) >= -slack * second.norm();
+  }
+
   const FloorPlan& plan_;
+  Eigen::Vector2d origin_m_;
   std::vector<SurfacePiece>& pieces_;
   SeenPoint last_{Eigen::Vector2d::Zero(), std::nullopt};
 };
@@ -74,7 +95,7 @@ VisibleSurface visible_surface(const RayCaster& caster,
                                const Pose2& T_map_sensor) {
   const Surroundings surroundings(caster, {}, T_map_sensor.translation(), 0.0);
   VisibleSurface surface;
-  PieceChain chain(caster.plan(), surface.pieces);
+  PieceChain chain(caster.plan(), T_map_sensor.translation(), surface.pieces);
   // A scanner that sees all around meets its first beam again after the last.
   const std::size_t num_steps = scanner.num_beams + (is_all_around(scanner) ? 1 : 0);
   for (std::size_t step = 0; step < num_steps; ++step) {

@@ -30,8 +30,8 @@ struct SurfacePiece {
 struct VisibleSurface {
   std::vector<SurfaceReturn> returns;  ///< In the order of the beams.
   /// The seen parts of the walls: from a beam's hit to the next one's where both lie on one segment
-  /// or on two that touch (then by their corner). A hit without such neighbours is a piece of no
-  /// length.
+  /// or on two that touch between the beams (then by their corner). A hit without such neighbours
+  /// is a piece of no length.
   std::vector<SurfacePiece> pieces;
 };
 
