@@ -85,7 +85,8 @@ class PieceChain {
 };
 
 bool is_all_around(const ScannerModel& scanner) {
-  return scanner.bearing_step_rad * static_cast<double>(scanner.num_beams) >= kTwoPi - 1e-6;
+  return std::abs(scanner.bearing_step_rad) * static_cast<double>(scanner.num_beams) >=
+         kTwoPi - 1e-6;
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ VisibleSurface visible_surface(const RayCaster& caster,
     const Eigen::Vector2d p_m = ray.origin_m + sighting.range_m * ray.direction;
     chain.add({p_m, segment});
     if (step == scanner.num_beams) continue;
-    const double length_m = sighting.range_m * scanner.bearing_step_rad /
+    const double length_m = sighting.range_m * std::abs(scanner.bearing_step_rad) /
                             std::max(sighting.incidence_cos, kLeastIncidenceCos);
     surface.returns.push_back(
         {p_m, caster.wall_normals().normal_at(segment, p_m), std::min(length_m, kLongestShare_m)});

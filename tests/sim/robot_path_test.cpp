@@ -107,16 +107,19 @@ TEST(RobotPathTest, PoseIsContinuousAndHeadingIsThatOfMotion) {
 
 TEST(RobotPathTest, ArcsMayTakeAShortPieceWhole) {
   // Both arcs want more than half of the middle piece: nothing straight is left between them, and
-  // its direction is not that of a rounding error.
-  for (const double length_m : {0.1, 0.3, 0.7}) {
-    const Eigen::Vector2d along(std::cos(1.0), std::sin(1.0));
-    const Eigen::Vector2d start_m(0.1, 0.7);
-    const RobotPath path({{-3.0, 0.7}, start_m, start_m + length_m * along, {9.0, 0.3}});
-    double last_rad = 0.0;
-    for (double time_s = 0.0; time_s < path.duration_s(); time_s += 1e-4) {
-      const double heading_rad = path.pose_at(time_s).theta_rad;
-      ASSERT_LT(std::abs(heading_rad - last_rad), 1e-4) << time_s;
-      last_rad = heading_rad;
+  // the heading of the moment where they meet is not that of what rounding leaves.
+  auto generator = make_generator();
+  for (int trial = 0; trial < 200; ++trial) {
+    const Pose2 T_map_route{uniform(generator, -5, 5), uniform(generator, -5, 5), 0.1 * trial};
+    const double length_m = uniform(generator, 0.1, 0.7);
+    Route route_m{{-0.5, 0.0}, {0.0, 0.0}, {0.0, length_m}, {0.5, length_m}};
+    for (Eigen::Vector2d& waypoint_m : route_m) waypoint_m = T_map_route * waypoint_m;
+    const RobotPath path(route_m);
+    double time_s = path.time_at_route_distance(0.5 + 0.5 * length_m);
+    for (int i = 0; i < 4; ++i) time_s = std::nextafter(time_s, 0.0);
+    for (int i = 0; i < 8; ++i, time_s = std::nextafter(time_s, 1e9)) {
+      const double turned_rad = path.pose_at(time_s).theta_rad - T_map_route.theta_rad;
+      ASSERT_NEAR(wrap_to_pi(turned_rad), 0.5 * kPi, 1e-9);
     }
   }
 }

@@ -194,6 +194,29 @@ TEST(SimulatedScanTest, GlassIsSeenAtRightAnglesOnly) {
   EXPECT_NEAR(num_on_panes / static_cast<double>(num_near_normal), 0.8, 0.05);
 }
 
+TEST(SimulatedScanTest, GrazingBeamsAreLostMoreOften) {
+  const RayCaster caster(corridor_plan());
+  const RobotPath path({{0.0, 0.0}, {1.0, 0.0}});
+  Random random(test_seed());
+  int num_beams = 0;
+  int num_lost = 0;
+  for (int repeat = 0; repeat < 400; ++repeat) {
+    const Scan scan = simulate_scan(caster, {}, perfect_scanner(), path, 0.0, random).scan;
+    for (std::size_t k = 0; k < scan.num_beams(); ++k) {
+      const double incidence_cos = std::abs(std::sin(scan.bearing_rad(k)));
+      if (incidence_cos * 29.9 < 1.2) continue;  // Out of reach.
+      if (incidence_cos > 0.08) {
+        ASSERT_EQ(scan.outcome(k), BeamOutcome::kReturn);
+      } else {
+        ++num_beams;
+        if (scan.outcome(k) != BeamOutcome::kReturn) ++num_lost;
+      }
+    }
+  }
+  // None at 0.08, a quarter of all at half of that: an eighth on average.
+  EXPECT_NEAR(num_lost / static_cast<double>(num_beams), 0.125, 0.03);
+}
+
 TEST(SimulatedScanTest, RangesMixAtEdgesOnly) {
   // A screen before a wall: from 2 m to 6 m.
   FloorPlan plan;
