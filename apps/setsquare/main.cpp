@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     application.footer(
         "Examples:\n"
         "  setsquare map intel.clf -o out\n"
+        "  setsquare simulate --building office -o sim\n"
         "  setsquare match intel.clf 100 140\n"
         "  setsquare explain intel.clf 100 140 -o match.html\n"
         "  zcat intel.clf.gz | setsquare info -\n"
@@ -55,6 +56,7 @@ int main(int argc, char** argv) {
     setsquare::app::add_explain(application);
     setsquare::app::add_match(application);
     setsquare::app::add_map(application);
+    setsquare::app::add_simulate(application);
     setsquare::app::add_experiment(application);
     return run(application, argc, argv);
   } catch (const std::exception& error) {

@@ -5,17 +5,15 @@
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
-#include <system_error>
-#include <vector>
 
 #include "apps/setsquare/log_options.hpp"
 #include "apps/setsquare/map_image.hpp"
 #include "apps/setsquare/map_report.hpp"
 #include "apps/setsquare/map_run.hpp"
+#include "apps/setsquare/output_directory.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
@@ -24,45 +22,6 @@
 
 namespace setsquare::app {
 namespace {
-
-/// The directory and those above it that are not there yet, the innermost first.
-std::vector<std::filesystem::path> absent_directories(const std::filesystem::path& path) {
-  std::vector<std::filesystem::path> absent;
-  std::error_code ignored;
-  for (auto outer = path; !outer.empty() && !std::filesystem::exists(outer, ignored);
-       outer = outer.parent_path()) {
-    if (outer.has_filename()) absent.push_back(outer);
-  }
-  return absent;
-}
-
-/// The directory of the results, made before the work begins, so that a wrong name is told at once.
-/// Where the work fails, the directories that it made and left empty go again.
-class OutputDirectory {
- public:
-  explicit OutputDirectory(const std::string& path) : path_(path) {
-    std::error_code error;
-    made_ = absent_directories(path_);
-    std::filesystem::create_directories(path_, error);
-    if (error) throw FileError(path, "cannot be made: " + error.message());
-    if (!std::filesystem::is_directory(path_)) throw FileError(path, "is not a directory");
-  }
-  ~OutputDirectory() {
-    std::error_code error;
-    for (const auto& made : made_) {
-      if (!std::filesystem::is_empty(made, error) || error) return;
-      std::filesystem::remove(made, error);
-    }
-  }
-  OutputDirectory(const OutputDirectory&) = delete;
-  OutputDirectory& operator=(const OutputDirectory&) = delete;
-
-  [[nodiscard]] std::string file(const std::string& name) const { return path_ / name; }
-
- private:
-  std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;
-};
 
 std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
   std::size_t count = 0;
