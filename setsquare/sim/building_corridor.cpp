@@ -12,7 +12,7 @@ namespace setsquare {
 BuildingSketch sketch_corridor(Random& random) {
   constexpr double kLongest_m = 78.0;
   BuildingSketch sketch;
-  const double length = random.uniform(40.0, 68.0);
+  const double length = random.uniform(40.0, 56.0);
   std::vector<Wing> wings{make_wing({}, length, random)};
   const bool has_bend = random.chance(0.4);
   if (has_bend) {
@@ -26,7 +26,7 @@ BuildingSketch sketch_corridor(Random& random) {
     wings[1].rows_from_m = wings[0].half_width_m + 0.3;
   }
   for (Wing& wing : wings) {
-    wing.rows.open_share = random.uniform(0.05, 0.3);
+    wing.rows.open_share = random.uniform(0.15, 0.45);
     wing.rows.bare_share = random.uniform(0.2, 0.45);
     wing.rows.min_width_m = 2.8;
     wing.rows.max_width_m = random.uniform(6.0, 9.0);

@@ -27,22 +27,23 @@ struct Furnishing {
   double clutter_per_m2;     ///< Chairs, boxes, bins, plants at odd angles on the floor.
   double shelf_rows_per_m2;  ///< Shelves that stand free.
   double pillars_per_m2;
+  double screens_per_m2;  ///< Thin partitions that stand free or at a wall.
 };
 
 Furnishing furnishing_for(RoomUse use) {
   switch (use) {
     case RoomUse::kOffice:
-      return {0.40, 0.33, 0.08, 0.05, 0.10, 0.7, 0.60, 0.02, 0.10, 0.01, 0.003};
+      return {0.40, 0.33, 0.08, 0.05, 0.10, 0.7, 0.60, 0.02, 0.12, 0.02, 0.003, 0.06};
     case RoomUse::kMeeting:
-      return {0.30, 0.05, 0.10, 0.10, 0.15, 1.4, 0.55, 0.07, 0.12, 0.00, 0.003};
+      return {0.30, 0.05, 0.10, 0.10, 0.15, 1.4, 0.55, 0.07, 0.14, 0.00, 0.003, 0.04};
     case RoomUse::kStore:
-      return {0.62, 0.03, 0.28, 0.00, 0.03, 0.4, 0.80, 0.01, 0.16, 0.04, 0.003};
+      return {0.62, 0.03, 0.28, 0.00, 0.03, 0.4, 0.80, 0.01, 0.18, 0.08, 0.003, 0.02};
     case RoomUse::kCorridor:
-      return {0.30, 0.00, 0.18, 0.10, 0.10, 6.0, 0.42, 0.00, 0.02, 0.00, 0.000};
+      return {0.30, 0.00, 0.18, 0.10, 0.10, 6.0, 0.42, 0.00, 0.02, 0.00, 0.000, 0.00};
     case RoomUse::kHall:
-      return {0.45, 0.05, 0.20, 0.08, 0.05, 2.0, 0.90, 0.03, 0.05, 0.03, 0.010};
+      return {0.45, 0.05, 0.20, 0.08, 0.05, 2.0, 0.90, 0.03, 0.06, 0.05, 0.012, 0.03};
     case RoomUse::kRound:
-      return {0.45, 0.05, 0.18, 0.12, 0.03, 1.0, 0.60, 0.03, 0.10, 0.005, 0.010};
+      return {0.45, 0.05, 0.18, 0.12, 0.03, 1.0, 0.60, 0.03, 0.10, 0.02, 0.012, 0.08};
   }
   return {};
 }
@@ -167,6 +168,12 @@ void furnish_floor(BuildingSketch& sketch,
     add_outline(sketch, shelf, Material::kFurniture);
     return true;
   });
+  scatter(outline, furnishing.screens_per_m2, random, [&](const Pose2& place) {
+    const ConvexPolygon screen = box(turned(place), random.uniform(1.2, 3.0), 0.05);
+    if (!floor.take(screen)) return false;
+    add_outline(sketch, screen, Material::kFurniture);
+    return true;
+  });
   scatter(outline, furnishing.tables_per_m2, random, [&](const Pose2& place) {
     const double length = random.uniform(1.0, 2.4);
     const double width = random.uniform(0.7, 1.1);
@@ -196,11 +203,15 @@ void add_people(BuildingSketch& sketch,
   constexpr double kShoulders_m = 0.44;
   constexpr int kTries = 25;
   RoomFloor floor(sketch, outline);
+  const Eigen::Vector2d side = outline[1] - outline[0];
+  const double along = std::atan2(side.y(), side.x());
   for (int i = 0; i < num_people; ++i) {
     const bool is_walking = random.chance(walking_share);
     for (int k = 0; k < kTries; ++k) {
       const double length = is_walking ? random.uniform(1.5, 9.0) : 0.0;
-      const Pose2 middle = draw_place(outline, random);
+      Pose2 middle = draw_place(outline, random);
+      // Most walk along the room, as one does in a corridor.
+      if (random.chance(0.6)) middle.theta_rad = along + 0.05 * random.normal();
       const ConvexPolygon lane = box(middle, length + kShoulders_m, kShoulders_m);
       if (!floor.take(lane, kToRoute_m)) continue;
       const double speed = random.uniform(0.7, 1.5);

@@ -55,7 +55,7 @@ void add_passage(BuildingSketch& sketch,
                  Random& random) {
   const Eigen::Vector2d way = to_m - from_m;
   const Pose2 T_map_passage{from_m.x(), from_m.y(), std::atan2(way.y(), way.x())};
-  const double half_width = random.uniform(0.5, 1.0);
+  const double half_width = random.uniform(0.45, 0.8);
   const ConvexPolygon passage = rectangle(T_map_passage, 0.0, -half_width, way.norm(), half_width);
   sketch.spaces.push_back({passage, {}});
   sketch.kept_free.push_back(rectangle(T_map_passage, 0.0, -0.4, way.norm(), 0.4));
@@ -64,12 +64,12 @@ void add_passage(BuildingSketch& sketch,
 /// Rooms in a chain, each beside the one before; those that find no place are left out.
 std::vector<RoundRoom> add_chain(BuildingSketch& sketch, Random& random) {
   constexpr int kTries = 30;
-  std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(3.0, 7.0), random)};
+  std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(2.5, 6.0), random)};
   sketch.spaces.push_back({chain[0].room.outline, {}});
-  const int num_rooms = random.integer(4, 6);
+  const int num_rooms = random.integer(5, 7);
   for (int i = 0; i < kTries && static_cast<int>(chain.size()) < num_rooms; ++i) {
-    const double radius = random.uniform(2.8, 7.0);
-    const double gap = random.uniform(0.3, 3.0);
+    const double radius = random.uniform(2.5, 6.0);
+    const double gap = random.uniform(0.8, 4.0);
     const double direction = random.uniform(-kPi, kPi);
     const RoundRoom& last = chain.back();
     const double distance = last.outer_radius_m + radius + gap;

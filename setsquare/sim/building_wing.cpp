@@ -126,7 +126,8 @@ void furnish_wing(BuildingSketch& sketch, const Wing& wing, Random& random) {
   furnish(sketch, {corridor_outline(wing), RoomUse::kCorridor, seed, {}});
   for (const Room& room : wing.rooms)
     if (random.chance(0.4)) add_people(sketch, room.outline, random.integer(1, 2), 0.4, random);
-  const int num_in_corridor = static_cast<int>(random.uniform(0.0, 0.16) * wing.length_m);
+  const int num_in_corridor =
+      static_cast<int>(random.uniform(0.0, 2.0) * wing.people_per_m * wing.length_m);
   add_people(sketch, corridor_outline(wing), num_in_corridor, 0.6, random);
 }
 

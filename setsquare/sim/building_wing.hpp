@@ -14,10 +14,11 @@ struct Wing {
   Pose2 T_map_wing;
   double length_m = 0.0;
   double half_width_m = 1.1;
-  double rows_from_m = 0.3;  ///< Where the rooms begin.
-  double route_y_m = 0.0;    ///< Where in the corridor the robot drives.
-  RoomRow rows;              ///< Depth, widths and shares of both rows.
-  std::vector<Room> rooms;   ///< Those that are open; filled in by add_wing_rooms.
+  double rows_from_m = 0.3;    ///< Where the rooms begin.
+  double route_y_m = 0.0;      ///< Where in the corridor the robot drives.
+  double people_per_m = 0.08;  ///< In the corridor, on the average of buildings.
+  RoomRow rows;                ///< Depth, widths and shares of both rows.
+  std::vector<Room> rooms;     ///< Those that are open; filled in by add_wing_rooms.
 };
 
 /// A corridor in a random width, with its route off the middle.
