@@ -61,6 +61,31 @@ std::string text_row(const BuildingSummary& summary, const MatcherSummary& match
   return line;
 }
 
+/// The first pairs of a list, one a line.
+std::string listing_text(const char* title, const std::vector<ListedPair>& pairs) {
+  constexpr std::size_t kMaxLines = 20;
+  std::string text = std::string(title) + ": " + std::to_string(pairs.size()) +
+                     (pairs.size() > kMaxLines ? ", the first 20:\n" : "\n");
+  for (std::size_t i = 0; i < std::min(pairs.size(), kMaxLines); ++i) {
+    const PairTruth& truth = pairs[i].record->truth;
+    const PairAnswer& answer = pairs[i].record->ours;
+    char line[160];
+    std::snprintf(line,
+                  sizeof line,
+                  "  %-9s seed %2llu, %2zu-%2zu: overlap %5.1f %%, %s, off by %.3f m, %.2f deg\n",
+                  std::string(to_string(pairs[i].building->building_class)).c_str(),
+                  static_cast<unsigned long long>(pairs[i].building->seed),
+                  truth.reference,
+                  truth.current,
+                  100.0 * truth.overlap,
+                  std::string(to_string(answer.status)).c_str(),
+                  answer.error_m(),
+                  deg_from_rad(answer.error_rad()));
+    text += line;
+  }
+  return text;
+}
+
 }  // namespace
 
 BuildingSummary summarise(const BuildingStudy& study, std::optional<BuildingClass> building_class) {
@@ -116,7 +141,9 @@ std::string summary_text(const BuildingStudy& study) {
                 100.0 * all.clutter_share.mean(),
                 all.num_high_undetermined,
                 100.0 * share(all.num_high_undetermined, all.num_high));
-  return text + line;
+  const PairLists lists = list_pairs(study);
+  return text + line + listing_text("wrong", lists.wrong) +
+         listing_text("missed at >= 45 %", lists.failures);
 }
 
 }  // namespace setsquare::experiments

@@ -28,9 +28,26 @@ struct LineFit {
 
 }  // namespace
 
-std::vector<Pose2> placed_at_truth(std::span<const Pose2> chain, std::span<const Pose2> truth) {
+double axis_of_plan(const FloorPlan& plan) {
+  // Four times the angle makes the directions of a square one.
+  double cos_sum = 0.0;
+  double sin_sum = 0.0;
+  for (const PlanSegment& segment : plan.segments) {
+    if (segment.material != Material::kWall) continue;
+    const Eigen::Vector2d wall_m = segment.end_m - segment.start_m;
+    const double angle_rad = 4.0 * std::atan2(wall_m.y(), wall_m.x());
+    cos_sum += wall_m.norm() * std::cos(angle_rad);
+    sin_sum += wall_m.norm() * std::sin(angle_rad);
+  }
+  return 0.25 * std::atan2(sin_sum, cos_sum);
+}
+
+std::vector<Pose2> placed_at_truth(std::span<const Pose2> chain,
+                                   std::span<const Pose2> truth,
+                                   double axis_rad) {
+  constexpr double kQuarter = 0.5 * kPi;
   const double difference_rad = truth.front().theta_rad - chain.front().theta_rad;
-  const double turn_rad = 0.5 * kPi * std::round(difference_rad / (0.5 * kPi));
+  const double turn_rad = axis_rad + kQuarter * std::round((difference_rad - axis_rad) / kQuarter);
   const Pose2 turn{0.0, 0.0, turn_rad};
   const Eigen::Vector2d start = turn * chain.front().translation();
   const Pose2 move{truth.front().x_m - start.x(), truth.front().y_m - start.y(), turn_rad};

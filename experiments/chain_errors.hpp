@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
+#include "setsquare/sim/floor_plan.hpp"
 
 namespace setsquare::experiments {
 
@@ -19,10 +20,15 @@ struct HeadingErrors {
   double correlation_with_path = 0.0;  ///< Of the absolute error with the distance.
 };
 
-/// The chain moved rigidly so that it begins at the first true position, turned by the multiple of
-/// 90 deg nearest to the first heading's difference: its axes stay the building's.
+/// Direction of a plan's walls in the map frame, modulo 90 deg, in rad: their mean, weighted by
+/// length.
+[[nodiscard]] double axis_of_plan(const FloorPlan& plan);
+
+/// The chain moved rigidly to begin at the first true position. Its axes are the building's: they
+/// come to lie along `axis_rad`, in the quarter turn nearest to the first true heading.
 [[nodiscard]] std::vector<Pose2> placed_at_truth(std::span<const Pose2> chain,
-                                                 std::span<const Pose2> truth);
+                                                 std::span<const Pose2> truth,
+                                                 double axis_rad);
 
 /// Distance travelled up to each pose, in m.
 [[nodiscard]] std::vector<double> travelled_m(std::span<const Pose2> poses);

@@ -10,7 +10,9 @@
 
 namespace setsquare::experiments {
 
-std::string map_png(std::span<const SimulatedScan> scans, std::span<const Pose2> T_map_base) {
+std::string map_png(std::span<const SimulatedScan> scans,
+                    std::span<const Pose2> T_map_base,
+                    double axis_rad) {
   std::vector<PlacedScan> placed;
   Trajectory trajectory;
   for (std::size_t k = 0; k < scans.size(); ++k) {
@@ -20,7 +22,8 @@ std::string map_png(std::span<const SimulatedScan> scans, std::span<const Pose2>
   // Enough for a picture a screen wide.
   const GridFromScansParams grid{.resolution_m = 0.1, .min_spacing_m = 0.7, .min_turn_rad = 0.5};
   const MapPictureParams picture{.max_side_px = 1300};
-  return png_from_image(map_picture(grid_from_scans(placed, 0.0, grid), trajectory, {}, picture));
+  return png_from_image(
+      map_picture(grid_from_scans(placed, axis_rad, grid), trajectory, {}, picture));
 }
 
 }  // namespace setsquare::experiments

@@ -11,8 +11,9 @@
 namespace setsquare::experiments {
 
 /// The scans laid out at these poses (one a scan) as an occupancy grid with the track in it; a PNG
-/// file's bytes.
+/// file's bytes. Its rows run along `axis_rad` of the map frame.
 [[nodiscard]] std::string map_png(std::span<const SimulatedScan> scans,
-                                  std::span<const Pose2> T_map_base);
+                                  std::span<const Pose2> T_map_base,
+                                  double axis_rad);
 
 }  // namespace setsquare::experiments

@@ -42,10 +42,10 @@ std::size_t scan_at(const std::vector<Pose2>& truth,
   return nearest;
 }
 
-ChainOutcome judge_chain(ScanChain chain, const CircuitRun& run) {
+ChainOutcome judge_chain(ScanChain chain, const CircuitRun& run, double axis_rad) {
   ChainOutcome outcome;
   outcome.chain = std::move(chain);
-  outcome.chain.T_map_base = placed_at_truth(outcome.chain.T_map_base, run.truth);
+  outcome.chain.T_map_base = placed_at_truth(outcome.chain.T_map_base, run.truth, axis_rad);
   for (std::size_t c = 0; c < run.circuits.size(); ++c) {
     outcome.closure_m[c] = closure_error(
         outcome.chain.T_map_base, run.truth, run.circuits[c].start, run.circuits[c].end);
@@ -90,12 +90,13 @@ CircuitStudy study_circuits(const CircuitStudyParams& params,
     const SimulatedRun simulated = simulate_track(params, world, run.seed);
     for (const SimulatedScan& scan : simulated.scans) run.truth.push_back(scan.T_map_base);
     find_circuits(run, world);
-    run.paper = judge_chain(chain_by_paper(simulated.scans), run);
-    run.ours = judge_chain(chain_by_default_matcher(simulated.scans), run);
+    const double axis_rad = axis_of_plan(world.building.plan);
+    run.paper = judge_chain(chain_by_paper(simulated.scans), run, axis_rad);
+    run.ours = judge_chain(chain_by_default_matcher(simulated.scans), run, axis_rad);
     if (task > 0) return;
     study.plan = world.building.plan;
-    study.paper_map = map_png(simulated.scans, run.paper.chain.T_map_base);
-    study.default_map = map_png(simulated.scans, run.ours.chain.T_map_base);
+    study.paper_map = map_png(simulated.scans, run.paper.chain.T_map_base, axis_rad);
+    study.default_map = map_png(simulated.scans, run.ours.chain.T_map_base, axis_rad);
   };
   run_in_parallel(params.num_seeds, num_threads, study_one, progress);
   return study;

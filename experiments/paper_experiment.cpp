@@ -5,11 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "experiments/building_report.hpp"
-#include "experiments/building_summary.hpp"
-#include "experiments/page_elements.hpp"
+#include "experiments/hallway_report.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/drawing/text.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -39,15 +36,22 @@ class SectionRunner {
       if (progress_) progress_(name, num_done, num_tasks);
     });
     const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - start;
-    timing_[name] = {{"wall_s", elapsed.count()}};
+    timing_[name + "_s"] = elapsed.count();
+    all_s_ += elapsed.count();
   }
 
-  [[nodiscard]] Json& timing() { return timing_; }
+  /// Wall time of each section and of all, in s.
+  [[nodiscard]] Json timing() const {
+    Json timing = timing_;
+    timing["all_s"] = all_s_;
+    return timing;
+  }
 
  private:
   const PaperExperimentParams& params_;
   const SectionProgress& progress_;
   Json timing_ = Json::object();
+  double all_s_ = 0.0;
 };
 
 }  // namespace
@@ -64,35 +68,33 @@ PaperExperiment run_paper_experiment(const PaperExperimentParams& params,
   const auto num_seeds = [&](std::size_t full, std::size_t quick) {
     return params.is_quick ? quick : full;
   };
+  const std::size_t num_threads = params.num_threads;
   PaperExperiment experiment;
   SectionRunner runner(params, progress);
+  runner.run("section_5_1", experiment.hallways, [&](const Progress& tell) {
+    HallwayStudyParams hallways;
+    hallways.num_seeds = num_seeds(20, 2);
+    return study_hallways(hallways, load_mrpt_icp(), num_threads, tell);
+  });
   runner.run("buildings", experiment.buildings, [&](const Progress& tell) {
-    return study_buildings({num_seeds(40, 4), {}, {}}, params.num_threads, tell);
+    return study_buildings({num_seeds(40, 4), {}, {}}, num_threads, tell);
+  });
+  runner.run("factors", experiment.factors, [&](const Progress& tell) {
+    return study_factors(num_seeds(6, 1), num_threads, tell);
+  });
+  runner.run("section_5_2", experiment.circuits, [&](const Progress& tell) {
+    CircuitStudyParams circuits;
+    circuits.num_seeds = num_seeds(20, 1);
+    return study_circuits(circuits, num_threads, tell);
+  });
+  runner.run("honesty", experiment.honesty, [&](const Progress& tell) {
+    return study_honesty({num_seeds(20, 2), 9}, num_threads, tell);
   });
   experiment.timing = runner.timing();
-  return experiment;
-}
-
-std::string paper_json(const PaperExperiment& experiment) {
-  Json json;
-  if (experiment.buildings) json["buildings"] = json_from(*experiment.buildings);
-  json["timing"] = experiment.timing;
-  return json.dump(1) + "\n";
-}
-
-std::string paper_html(const PaperExperiment& experiment) {
-  std::vector<PageSection> sections;
-  if (experiment.buildings) {
-    sections.push_back(
-        {"buildings", "Two hundred buildings", building_html(*experiment.buildings)});
+  if (experiment.hallways) {
+    experiment.timing["a_match"] = json_from(experiment.hallways->times);
   }
-  return page_html("The paper's experiments, reproduced", "", sections);
-}
-
-std::string paper_text(const PaperExperiment& experiment) {
-  std::string text;
-  if (experiment.buildings) text += summary_text(*experiment.buildings);
-  return text;
+  return experiment;
 }
 
 }  // namespace setsquare::experiments

@@ -9,6 +9,10 @@
 #include <vector>
 
 #include "experiments/building_study.hpp"
+#include "experiments/circuit_study.hpp"
+#include "experiments/factor_study.hpp"
+#include "experiments/hallway_study.hpp"
+#include "experiments/honesty_study.hpp"
 #include "experiments/json.hpp"
 
 namespace setsquare::experiments {
@@ -28,8 +32,14 @@ using SectionProgress = std::function<void(std::string_view, std::size_t, std::s
 
 /// What was run; what was not is empty.
 struct PaperExperiment {
+  std::optional<HallwayStudy> hallways;
   std::optional<BuildingStudy> buildings;
-  Json timing;  ///< Wall times; everything else depends on nothing but the seeds.
+  std::optional<FactorStudy> factors;
+  std::optional<CircuitStudy> circuits;
+  std::optional<HonestyStudy> honesty;
+  /// Wall time of each section and of all, median times of a match; everything else depends on
+  /// nothing but the seeds.
+  Json timing;
 };
 
 /// Runs the sections. Throws ParameterError where a name is none of paper_section_names.

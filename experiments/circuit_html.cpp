@@ -1,0 +1,203 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
+#include <cmath>
+
+#include "experiments/chart.hpp"
+#include "experiments/circuit_report.hpp"
+#include "experiments/page_elements.hpp"
+#include "experiments/plan_figure.hpp"
+#include "experiments/tally.hpp"
+#include "setsquare/drawing/text.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+std::string closure_text(const ClosureMedians& medians, std::size_t circuit) {
+  return joined({number(medians.x_m[circuit], 3),
+                 ", ",
+                 number(medians.y_m[circuit], 3),
+                 "; ",
+                 number(medians.norm_m[circuit], 3)});
+}
+
+std::string closure_table(const CircuitStudy& study) {
+  const ClosureMedians paper = closure_medians(study, &CircuitRun::paper);
+  const ClosureMedians ours = closure_medians(study, &CircuitRun::ours);
+  Table table{joined({"Closure errors |x|, |y|; norm in m, median of ",
+                      number(study.runs.size()),
+                      " seeds, no loop closed"}),
+              {"circuit",
+               "length here [m]",
+               "paper, as stated",
+               "here: --preset paper",
+               "here: default, scan to scan",
+               "full mapper"},
+              {}};
+  const char* stated[] = {"0.3, 0.8; 0.85", "0.5, 1.2; 1.30"};
+  for (std::size_t c = 0; c < 2; ++c) {
+    const CircuitScans& circuit = study.runs.front().circuits[c];
+    table.rows.push_back({{circuit.order},
+                          {number(circuit.length_m, 1)},
+                          {stated[c], "faint"},
+                          {closure_text(paper, c)},
+                          {closure_text(ours, c)},
+                          {"next release", "faint"}});
+  }
+  return table_html(table);
+}
+
+std::vector<Cell> heading_row(const std::string& name,
+                              const CircuitStudy& study,
+                              ChainOutcome CircuitRun::*outcome) {
+  std::vector<double> mean, highest, end, slope;
+  ChainCounts counts;
+  for (const CircuitRun& run : study.runs) {
+    const ChainOutcome& one = run.*outcome;
+    mean.push_back(deg_from_rad(one.heading.mean_rad));
+    highest.push_back(deg_from_rad(one.heading.highest_rad));
+    end.push_back(deg_from_rad(one.heading.end_rad));
+    slope.push_back(std::abs(deg_from_rad(one.heading.slope_rad_per_100_m)));
+    counts.num_matched += one.chain.counts.num_matched;
+    counts.num_degenerate += one.chain.counts.num_degenerate;
+    counts.num_ambiguous += one.chain.counts.num_ambiguous;
+    counts.num_unmatched += one.chain.counts.num_unmatched;
+  }
+  return {
+      {name},
+      {number(median(mean), 3)},
+      {number(median(highest), 3)},
+      {joined(
+          {number(median(end), 3), ", ", number(*std::max_element(end.begin(), end.end()), 3)})},
+      {number(median(slope), 4)},
+      {number(counts.num_matched)},
+      {number(counts.num_degenerate)},
+      {number(counts.num_ambiguous)},
+      {number(counts.num_unmatched)}};
+}
+
+std::string heading_table(const CircuitStudy& study) {
+  Table table{
+      "Heading against the truth in deg, median of the seeds; and how the scans of all seeds were "
+      "placed: \"degenerate\" keeps the last motion along one direction, \"ambiguous\" takes of "
+      "two "
+      "poses the one nearer to the last motion, the rest keeps the last motion (paper: stands "
+      "still)",
+      {"method",
+       "mean",
+       "highest",
+       "at the end: median, worst",
+       "|slope| per 100 m",
+       "matched",
+       "degenerate",
+       "ambiguous",
+       "unmatched"},
+      {}};
+  table.rows.push_back(heading_row("here: --preset paper", study, &CircuitRun::paper));
+  table.rows.push_back(heading_row("here: default", study, &CircuitRun::ours));
+  return table_html(table);
+}
+
+Series error_series(const std::string& name, const CircuitRun& run, const ChainOutcome& outcome) {
+  const std::vector<double> path_m = travelled_m(run.truth);
+  Series series{name, {}};
+  for (std::size_t k = 0; k < run.truth.size(); k += 10) {
+    const Eigen::Vector2d error_m =
+        outcome.chain.T_map_base[k].translation() - run.truth[k].translation();
+    series.points.emplace_back(path_m[k], error_m.norm());
+  }
+  return series;
+}
+
+Series heading_series(const std::string& name, const CircuitRun& run, const ChainOutcome& outcome) {
+  const std::vector<double> path_m = travelled_m(run.truth);
+  Series series{name, {}};
+  for (std::size_t k = 0; k < run.truth.size(); k += 5) {
+    series.points.emplace_back(
+        path_m[k],
+        deg_from_rad(wrap_to_pi(outcome.chain.T_map_base[k].theta_rad - run.truth[k].theta_rad)));
+  }
+  return series;
+}
+
+std::string track_charts(const CircuitRun& run) {
+  const double length_m = travelled_m(run.truth).back();
+  const std::vector<Series> position = {error_series("--preset paper", run, run.paper),
+                                        error_series("default", run, run.ours)};
+  const std::vector<Series> heading = {heading_series("--preset paper", run, run.paper),
+                                       heading_series("default", run, run.ours)};
+  return "<div class=\"charts\">\n" +
+         chart_svg({"Position error along the track, seed 1",
+                    "travelled [m]",
+                    "[m]",
+                    0,
+                    length_m,
+                    0,
+                    highest_y(position, 0.5),
+                    {},
+                    position}) +
+         chart_svg({"Heading error along the track, seed 1",
+                    "travelled [m]",
+                    "[deg]",
+                    0,
+                    length_m,
+                    -1.0,
+                    1.0,
+                    {},
+                    heading}) +
+         "</div>\n";
+}
+
+std::string seed_table(const CircuitStudy& study) {
+  Table table{"Norm of the closure errors in m, and heading error at the end in deg",
+              {"seed",
+               "paper, 1st",
+               "paper, 2nd",
+               "default, 1st",
+               "default, 2nd",
+               "paper, heading",
+               "default, heading"},
+              {}};
+  for (const CircuitRun& run : study.runs) {
+    table.rows.push_back({{number(run.seed)},
+                          {number(run.paper.closure_m[0].norm(), 3)},
+                          {number(run.paper.closure_m[1].norm(), 3)},
+                          {number(run.ours.closure_m[0].norm(), 3)},
+                          {number(run.ours.closure_m[1].norm(), 3)},
+                          {number(deg_from_rad(run.paper.heading.end_rad), 3)},
+                          {number(deg_from_rad(run.ours.heading.end_rad), 3)}});
+  }
+  return folding("Every seed", table_html(table));
+}
+
+}  // namespace
+
+std::string circuit_html(const CircuitStudy& study) {
+  const CircuitRun& first = study.runs.front();
+  std::string html = paragraph(
+      joined({"A building of 136 x 236 m and a track of ",
+              number(travelled_m(first.truth).back(), 0),
+              " m through it; ",
+              number(first.truth.size()),
+              " scans of a UTM-30LX, 0.4 m or 10 deg apart, each matched with the one before. No "
+              "loop is closed, no odometry used; the default matcher's headings are fused with the "
+              "directions of the walls. A closure error is the difference between the estimated "
+              "and the true relative pose of the end of a circuit, seen from its start."}));
+  html += command_line("setsquare experiment paper --only section_5_2 -o out");
+  html += closure_table(study);
+  html += heading_table(study);
+  html += track_charts(first);
+  html += seed_table(study);
+  html += figure(plan_svg(study.plan,
+                          {{"true track", first.truth},
+                           {"--preset paper", first.paper.chain.T_map_base},
+                           {"default", first.ours.chain.T_map_base}}),
+                 "Figure 5: the track in the building of seed 1.");
+  html += figure(png_element(study.default_map, "Map by the default matcher"),
+                 "Figure 6: the map by the default matcher, scan to scan, seed 1.");
+  html += figure(png_element(study.paper_map, "Map by the paper's method"),
+                 "The same by the paper's method.");
+  return html;
+}
+
+}  // namespace setsquare::experiments

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "experiments/circuit_report.hpp"
+#include "experiments/tally.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+Json json_from(const ChainCounts& counts) {
+  return {{"matched", counts.num_matched},
+          {"degenerate", counts.num_degenerate},
+          {"ambiguous", counts.num_ambiguous},
+          {"unmatched", counts.num_unmatched}};
+}
+
+Json json_from(const HeadingErrors& errors) {
+  const double to_deg = deg_from_rad(1.0);
+  return {{"max_deg", to_deg * errors.highest_rad},
+          {"mean_deg", to_deg * errors.mean_rad},
+          {"end_deg", to_deg * errors.end_rad},
+          {"slope_deg_per_100_m", to_deg * errors.slope_rad_per_100_m},
+          {"correlation_of_absolute_error_with_distance", errors.correlation_with_path}};
+}
+
+Json json_from(const ChainOutcome& outcome) {
+  Json closures = Json::array();
+  for (const Eigen::Vector2d& error_m : outcome.closure_m) {
+    closures.push_back({{"x_m", error_m.x()}, {"y_m", error_m.y()}, {"norm_m", error_m.norm()}});
+  }
+  return {{"closures", closures},
+          {"heading", json_from(outcome.heading)},
+          {"scans", json_from(outcome.chain.counts)}};
+}
+
+Json json_from(const ClosureMedians& medians) {
+  return {{"abs_x_m", medians.x_m}, {"abs_y_m", medians.y_m}, {"norm_m", medians.norm_m}};
+}
+
+Json json_from(const CircuitRun& run) {
+  Json circuits = Json::array();
+  for (const CircuitScans& circuit : run.circuits) {
+    circuits.push_back({{"order", circuit.order},
+                        {"first_scan", circuit.start},
+                        {"last_scan", circuit.end},
+                        {"length_m", circuit.length_m}});
+  }
+  return {{"seed", run.seed},
+          {"num_scans", run.truth.size()},
+          {"track_m", travelled_m(run.truth).back()},
+          {"circuits", circuits},
+          {"paper", json_from(run.paper)},
+          {"default", json_from(run.ours)}};
+}
+
+}  // namespace
+
+Json json_from(const CircuitStudy& study) {
+  Json runs = Json::array();
+  for (const CircuitRun& run : study.runs) runs.push_back(json_from(run));
+  return {{"stated_by_the_paper",
+           {{"after_398_m", {{"x_m", 0.3}, {"y_m", 0.8}}},
+            {"after_901_m", {{"x_m", 0.5}, {"y_m", 1.2}}}}},
+          {"median_closure_errors",
+           {{"paper", json_from(closure_medians(study, &CircuitRun::paper))},
+            {"default", json_from(closure_medians(study, &CircuitRun::ours))},
+            {"full_mapper", nullptr}}},
+          {"runs", runs}};
+}
+
+}  // namespace setsquare::experiments

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "experiments/factor_study.hpp"
+#include "experiments/json.hpp"
+
+namespace setsquare::experiments {
+
+[[nodiscard]] Json json_from(const FactorStudy& study);
+[[nodiscard]] std::string factor_html(const FactorStudy& study);
+
+}  // namespace setsquare::experiments

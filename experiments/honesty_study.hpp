@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "experiments/pair_answer.hpp"
+#include "experiments/parallel.hpp"
+#include "experiments/small_worlds.hpp"
+#include "experiments/tally.hpp"
+
+namespace setsquare::experiments {
+
+/// Pairs where the truth is that little or nothing can be known.
+struct HonestyStudyParams {
+  std::size_t num_seeds = 20;  ///< Of each world, and of pairs of different buildings.
+  std::size_t num_scans = 9;   ///< Of each run: 36 pairs.
+};
+
+/// Errors and claims along one direction: what happened beside what the information promises.
+struct DirectionClaim {
+  Spread error_m;                       ///< Absolute errors.
+  std::vector<double> claimed_sigma_m;  ///< One a pair; infinite where nothing is claimed.
+};
+
+/// All pairs of one world.
+struct HonestyOutcome {
+  std::string name;
+  std::string truth;
+  std::size_t num_pairs = 0;
+  std::size_t num_determined = 0;              ///< By the floor plan, taken locally.
+  std::array<std::size_t, 6> status_counts{};  ///< In the order of MatchStatus.
+  std::size_t num_wrong = 0;                   ///< `matched` and off by over 0.2 m or 3 deg.
+  Spread nees;                                 ///< Of those `matched` with full rank.
+  /// Of the answers `degenerate`, where the plan leaves a direction open: angle between the
+  /// answer's direction and the plan's.
+  Spread direction_error_rad;
+  /// Of the answers `matched` and `degenerate` with a pose, along the plan's worst direction and
+  /// across it.
+  DirectionClaim along;
+  DirectionClaim across;
+};
+
+struct HonestyStudy {
+  std::size_t num_seeds = 0;
+  std::vector<HonestyOutcome> outcomes;  ///< One a world, then two different buildings.
+};
+
+[[nodiscard]] HonestyStudy study_honesty(const HonestyStudyParams& params,
+                                         std::size_t num_threads,
+                                         const Progress& progress = {});
+
+}  // namespace setsquare::experiments
