@@ -69,6 +69,8 @@ Building world_from_plan(const SimulateOptions& options) {
 }
 
 Building building_from(const SimulateOptions& options) {
+  if (options.building == "paper") return make_paper_building(options.seed).building;
+  if (options.building == "hallway") return make_paper_hallway(options.seed);
   const auto named = std::find_if(
       kAllBuildingClasses.begin(), kAllBuildingClasses.end(), [&](BuildingClass building_class) {
         return to_string(building_class) == options.building;
