@@ -9,6 +9,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/sim/building_floor.hpp"
 #include "setsquare/sim/building_furniture.hpp"
+#include "setsquare/sim/building_partitions.hpp"
 
 namespace setsquare {
 namespace {
@@ -41,9 +42,9 @@ Furnishing furnishing_for(RoomUse use) {
     case RoomUse::kCorridor:
       return {0.30, 0.00, 0.18, 0.10, 0.10, 6.0, 0.42, 0.00, 0.02, 0.00, 0.000, 0.00};
     case RoomUse::kHall:
-      return {0.45, 0.05, 0.20, 0.08, 0.05, 2.0, 0.90, 0.03, 0.06, 0.05, 0.012, 0.03};
+      return {0.45, 0.05, 0.20, 0.08, 0.05, 2.0, 0.90, 0.03, 0.12, 0.06, 0.015, 0.05};
     case RoomUse::kRound:
-      return {0.45, 0.05, 0.18, 0.12, 0.03, 1.0, 0.60, 0.03, 0.10, 0.02, 0.012, 0.08};
+      return {0.45, 0.05, 0.18, 0.12, 0.03, 1.0, 0.60, 0.04, 0.22, 0.03, 0.015, 0.10};
   }
   return {};
 }
@@ -161,7 +162,7 @@ void furnish_floor(BuildingSketch& sketch,
     return place_pillar(sketch, floor, square, size, is_round);
   });
   scatter(outline, furnishing.shelf_rows_per_m2, random, [&](const Pose2& place) {
-    const double length = random.uniform(1.2, 4.5);
+    const double length = random.uniform(1.2, 5.0);
     const double width = random.uniform(0.35, 0.9);
     const ConvexPolygon shelf = box(turned(place), length, width);
     if (!floor.take(shelf)) return false;
@@ -190,6 +191,8 @@ void furnish(BuildingSketch& sketch, const Room& room) {
   Random random(room.furnishing_seed);
   RoomFloor floor(sketch, room.outline);
   const Furnishing furnishing = furnishing_for(room.use);
+  if (room.use == RoomUse::kRound) add_partitions(sketch, floor, 16, 3.6, random);
+  if (room.use == RoomUse::kHall) add_partitions(sketch, floor, 16, 5.0, random);
   furnish_walls(sketch, floor, furnishing, random);
   furnish_floor(sketch, floor, furnishing, random);
 }

@@ -36,9 +36,9 @@ void add_side(BuildingSketch& sketch,
   row.length_m = length_m;
   row.depth_m = random.uniform(3.5, 6.0);
   row.open_share = open_share;
-  row.min_width_m = 3.0;
-  row.max_width_m = 8.0;
-  row.bare_share = 0.35;
+  row.min_width_m = 2.8;
+  row.max_width_m = 6.5;
+  row.bare_share = 0.25;
   std::vector<Room> rooms = add_room_row(sketch, row, random);
   std::move(rooms.begin(), rooms.end(), std::back_inserter(hall.side_rooms));
 }
@@ -58,7 +58,7 @@ Hall add_hall(BuildingSketch& sketch, Random& random) {
 std::vector<Eigen::Vector2d> draw_stops(const Hall& hall, int num_stops, Random& random) {
   constexpr double kToWall_m = 1.4;
   constexpr double kShortest_m = 3.0;
-  constexpr double kLongest_m = 12.0;
+  constexpr double kLongest_m = 8.0;
   std::vector<Eigen::Vector2d> stops;
   while (static_cast<int>(stops.size()) < num_stops) {
     const double x = random.uniform(kToWall_m, hall.length_m - kToWall_m);
@@ -87,12 +87,12 @@ void append_visit(BuildingSketch& sketch, std::vector<Room>& unvisited, Random& 
 }
 
 void add_route(BuildingSketch& sketch, const Hall& hall, Random& random) {
-  constexpr double kLongest_m = 65.0;
+  constexpr double kLongest_m = 52.0;
   std::vector<Room> unvisited = hall.side_rooms;
   for (const Eigen::Vector2d& stop : draw_stops(hall, 8, random)) {
     if (length_of(sketch.route_m) > kLongest_m) return;
     sketch.route_m.push_back(stop);
-    if (random.chance(0.4)) append_visit(sketch, unvisited, random);
+    if (random.chance(0.85)) append_visit(sketch, unvisited, random);
   }
 }
 

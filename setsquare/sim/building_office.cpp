@@ -14,15 +14,15 @@ namespace {
 Wing make_branch(const Wing& first, double leaves_x_m, Random& random) {
   const double side = random.chance(0.5) ? 1.0 : -1.0;
   const Pose2 T_wing_branch{leaves_x_m, 0.0, side * 0.5 * kPi};
-  Wing branch = make_wing(first.T_map_wing * T_wing_branch, random.uniform(14.0, 24.0), random);
+  Wing branch = make_wing(first.T_map_wing * T_wing_branch, random.uniform(12.0, 20.0), random);
   branch.rows_from_m = first.half_width_m + 0.3;
   return branch;
 }
 
 void share_open_rooms(Wing& wing, Random& random) {
-  wing.rows.open_share = random.uniform(0.55, 0.85);
-  wing.rows.min_width_m = random.uniform(2.4, 3.2);
-  wing.rows.max_width_m = random.uniform(5.0, 7.5);
+  wing.rows.open_share = random.uniform(0.7, 0.95);
+  wing.rows.min_width_m = random.uniform(2.3, 2.8);
+  wing.rows.max_width_m = random.uniform(3.8, 6.0);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void share_open_rooms(Wing& wing, Random& random) {
 BuildingSketch sketch_office(Random& random) {
   constexpr double kLongest_m = 78.0;
   BuildingSketch sketch;
-  std::vector<Wing> wings{make_wing({}, random.uniform(22.0, 36.0), random)};
+  std::vector<Wing> wings{make_wing({}, random.uniform(18.0, 30.0), random)};
   const bool has_branch = random.chance(0.6);
   const double leaves_x = wings[0].length_m * random.uniform(0.4, 0.75);
   if (has_branch) wings.push_back(make_branch(wings[0], leaves_x, random));

@@ -20,6 +20,7 @@ struct RoundRoom {
   double inner_radius_m;  ///< Inside of all sides.
   double outer_radius_m;
   Room room;
+  Eigen::Vector2d way_on_m = center_m;  ///< The bend of the passage to the next room.
 };
 
 /// A circle, an ellipse, or an irregular polygon: uneven corners on an ellipse.
@@ -38,7 +39,7 @@ RoundRoom draw_round_room(const Eigen::Vector2d& center_m, double radius_m, Rand
     }
   }
   const auto seed = static_cast<std::uint64_t>(random.integer(0, 1 << 30));
-  RoundRoom round{center_m, radius_m, radius_m, {outline, RoomUse::kRound, seed, {}}};
+  RoundRoom round{center_m, radius_m, radius_m, {outline, RoomUse::kRound, seed, {}}, center_m};
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Eigen::Vector2d side = (outline[(i + 1) % outline.size()] - outline[i]).normalized();
     const Eigen::Vector2d spoke = outline[i] - center_m;
@@ -48,28 +49,45 @@ RoundRoom draw_round_room(const Eigen::Vector2d& center_m, double radius_m, Rand
   return round;
 }
 
-/// A passage from centre to centre: what lies in the rooms vanishes in them.
+/// A straight piece of a passage. What of it lies in rooms vanishes in them.
 void add_passage(BuildingSketch& sketch,
                  const Eigen::Vector2d& from_m,
                  const Eigen::Vector2d& to_m,
-                 Random& random) {
+                 double half_width_m) {
   const Eigen::Vector2d way = to_m - from_m;
   const Pose2 T_map_passage{from_m.x(), from_m.y(), std::atan2(way.y(), way.x())};
-  const double half_width = random.uniform(0.45, 0.8);
-  const ConvexPolygon passage = rectangle(T_map_passage, 0.0, -half_width, way.norm(), half_width);
-  sketch.spaces.push_back({passage, {}});
+  sketch.spaces.push_back(
+      {rectangle(T_map_passage, 0.0, -half_width_m, way.norm(), half_width_m), {}});
   sketch.kept_free.push_back(rectangle(T_map_passage, 0.0, -0.4, way.norm(), 0.4));
+}
+
+/// A passage from a room to the next one with a bend in it; returns where it bends.
+Eigen::Vector2d add_bent_passage(BuildingSketch& sketch,
+                                 const RoundRoom& from,
+                                 const RoundRoom& to,
+                                 Random& random) {
+  const Eigen::Vector2d way = (to.center_m - from.center_m).normalized();
+  const double gap = (to.center_m - from.center_m).norm() - from.outer_radius_m - to.outer_radius_m;
+  const double side = random.chance(0.5) ? 1.0 : -1.0;
+  const Eigen::Vector2d bend = from.center_m + (from.outer_radius_m + 0.5 * gap) * way +
+                               side * random.uniform(0.6, 1.8) * Eigen::Vector2d(-way.y(), way.x());
+  const double half_width = random.uniform(0.45, 0.65);
+  add_passage(sketch, from.center_m, bend, half_width);
+  add_passage(sketch, bend, to.center_m, half_width);
+  const double radius = 1.1 * half_width;
+  sketch.spaces.push_back({ellipse({bend.x(), bend.y(), 0.0}, radius, radius, 9), {}});
+  return bend;
 }
 
 /// Rooms in a chain, each beside the one before; those that find no place are left out.
 std::vector<RoundRoom> add_chain(BuildingSketch& sketch, Random& random) {
-  constexpr int kTries = 30;
-  std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(2.5, 6.0), random)};
+  constexpr int kTries = 200;
+  std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(1.8, 4.5), random)};
   sketch.spaces.push_back({chain[0].room.outline, {}});
-  const int num_rooms = random.integer(5, 7);
+  const int num_rooms = random.integer(6, 8);
   for (int i = 0; i < kTries && static_cast<int>(chain.size()) < num_rooms; ++i) {
-    const double radius = random.uniform(2.5, 6.0);
-    const double gap = random.uniform(0.8, 4.0);
+    const double radius = random.chance(0.12) ? 5.5 : random.uniform(1.8, 3.5);
+    const double gap = random.uniform(1.2, 4.0);
     const double direction = random.uniform(-kPi, kPi);
     const RoundRoom& last = chain.back();
     const double distance = last.outer_radius_m + radius + gap;
@@ -77,28 +95,34 @@ std::vector<RoundRoom> add_chain(BuildingSketch& sketch, Random& random) {
         last.center_m + distance * Eigen::Vector2d(std::cos(direction), std::sin(direction));
     const RoundRoom next = draw_round_room(center, radius, random);
     if (!is_unbuilt(sketch, next.room.outline, 0.2)) continue;
-    add_passage(sketch, last.center_m, center, random);
+    chain.back().way_on_m = add_bent_passage(sketch, last, next, random);
     sketch.spaces.push_back({next.room.outline, {}});
     chain.push_back(next);
   }
   return chain;
 }
 
+/// One or two stops in a room and back to its centre, where it is large enough.
+void add_detour(BuildingSketch& sketch, const RoundRoom& room, Random& random) {
+  const double reach = room.inner_radius_m - 1.1;
+  if (reach < 0.8) return;
+  const int num_stops = random.integer(0, 2);
+  double direction = random.uniform(-kPi, kPi);
+  for (int i = 0; i < num_stops; ++i) {
+    const double radius = random.uniform(0.6, 1.0) * reach;
+    sketch.route_m.push_back(room.center_m +
+                             radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
+    direction += random.uniform(0.8, 2.2);
+  }
+  if (num_stops > 0) sketch.route_m.push_back(room.center_m);
+}
+
 /// From room to room by the centres, with a detour in most of them.
 void add_route(BuildingSketch& sketch, const std::vector<RoundRoom>& chain, Random& random) {
   for (const RoundRoom& room : chain) {
-    const double reach = room.inner_radius_m - 1.1;
     sketch.route_m.push_back(room.center_m);
-    if (reach < 0.8) continue;
-    const int num_stops = random.integer(1, 3);
-    double direction = random.uniform(-kPi, kPi);
-    for (int i = 0; i < num_stops; ++i) {
-      const double radius = random.uniform(0.6, 1.0) * reach;
-      sketch.route_m.push_back(room.center_m +
-                               radius * Eigen::Vector2d(std::cos(direction), std::sin(direction)));
-      direction += random.uniform(0.8, 2.2);
-    }
-    sketch.route_m.push_back(room.center_m);
+    add_detour(sketch, room, random);
+    if (&room != &chain.back()) sketch.route_m.push_back(room.way_on_m);
   }
 }
 

@@ -52,7 +52,7 @@ std::optional<RoomVisit> plan_visit(const Room& room, double approach_m, Random&
   if (!contains(room.outline, visit.corners_m.back(), 0.4) ||
       !contains(room.outline, last_in_room, 0.4))
     return std::nullopt;
-  for (int num_stops = random.integer(2, 4); num_stops > 0; --num_stops) {
+  for (int num_stops = random.integer(2, 3); num_stops > 0; --num_stops) {
     const auto stop = draw_stop(room, visit.corners_m, random);
     if (!stop) break;
     visit.corners_m.push_back(*stop);

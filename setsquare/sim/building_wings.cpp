@@ -37,9 +37,11 @@ std::vector<double> draw_directions(int num_wings, Random& random) {
 
 void append_route(BuildingSketch& sketch, const Wing& in, const Wing& out, Random& random) {
   constexpr double kLongest_m = 78.0;
-  append_wing_route(sketch, in, in.length_m - 1.2, in.rows_from_m, 0.5 * kLongest_m, random);
+  const double start_x = in.length_m * random.uniform(0.8, 0.95);
+  append_wing_route(sketch, in, start_x, in.rows_from_m, 0.5 * kLongest_m, random);
   sketch.route_m.emplace_back(0.0, 0.0);  // Through the lobby: the corner between may be wall.
-  append_wing_route(sketch, out, out.rows_from_m, out.length_m - 1.2, kLongest_m, random);
+  append_wing_route(
+      sketch, out, out.rows_from_m, out.length_m * random.uniform(0.8, 0.95), kLongest_m, random);
 }
 
 }  // namespace
@@ -56,12 +58,12 @@ BuildingSketch sketch_wings(Random& random) {
   sketch.spaces.push_back({lobby, {}});
   std::vector<Wing> wings;
   for (const double direction : directions) {
-    wings.push_back(make_wing({0.0, 0.0, direction}, random.uniform(16.0, 28.0), random));
+    wings.push_back(make_wing({0.0, 0.0, direction}, random.uniform(14.0, 22.0), random));
     Wing& wing = wings.back();
     wing.rows_from_m = 1.3 * lobby_radius + 0.3;
     const bool is_bare = random.chance(0.25);
-    wing.rows.open_share = is_bare ? 0.2 : random.uniform(0.5, 0.85);
-    wing.rows.max_width_m = random.uniform(5.0, 7.5);
+    wing.rows.open_share = is_bare ? 0.2 : random.uniform(0.7, 0.95);
+    wing.rows.max_width_m = random.uniform(3.8, 6.0);
     add_wing_corridor(sketch, wing, random);
   }
   for (Wing& wing : wings) add_wing_rooms(sketch, wing, random);

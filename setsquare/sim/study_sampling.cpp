@@ -16,7 +16,7 @@ std::vector<double> study_times(const RobotPath& path, std::size_t num_scans, Ra
   if (places.size() <= num_scans) return places;
   std::vector<std::size_t> chosen{0};
   while (chosen.size() < num_scans)
-    chosen.push_back(chosen.back() + static_cast<std::size_t>(random.integer(2, 5)));
+    chosen.push_back(chosen.back() + static_cast<std::size_t>(random.integer(5, 10)));
   const std::size_t last = places.size() - 1;
   std::size_t start = 0;
   if (chosen.back() <= last) {

@@ -11,9 +11,10 @@
 namespace setsquare {
 
 /// The times of the scans that a study of pairs takes along a path, ascending. Places every 0.4 m
-/// or 10 deg as in the paper (section 5.1), from a random one on; of these every second to every
-/// fifth, at random, so that neighbours are about 1 to 2 m or 20 to 50 deg apart. Fewer than
-/// `num_scans` only where the path has fewer such places.
+/// or 10 deg as in the paper (section 5.1), from a random one on; of these every fifth to every
+/// tenth, at random, so that neighbours are up to 4 m or 100 deg apart: half of the pairs within 5
+/// m of each other shall overlap by less than 60 %. Evenly over the path where it is too short for
+/// that, and fewer than `num_scans` only where it has fewer such places. `num_scans` is at least 2.
 [[nodiscard]] std::vector<double> study_times(const RobotPath& path,
                                               std::size_t num_scans,
                                               Random& random);
