@@ -3,12 +3,37 @@
 #include "apps/setsquare/simulate_options.hpp"
 
 #include <CLI/Option.hpp>
+#include <CLI/TypeTools.hpp>
 #include <CLI/Validators.hpp>
+#include <cmath>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/record_stream.hpp"
 
 namespace setsquare::app {
 namespace {
+
+/// Refuses what is not a finite number above 0, in plain words.
+CLI::Validator above_zero() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        double value = 0.0;
+        const bool is_number = CLI::detail::lexical_cast(text, value);
+        const bool is_good = is_number && value > 0.0 && std::isfinite(value);
+        return is_good ? std::string() : text + " is not a number above 0";
+      },
+      "");
+}
+
+/// CLI11 would read -1 as the largest number there is.
+CLI::Validator no_minus() {
+  return CLI::Validator(
+      [](const std::string& text) {
+        return text.starts_with('-') ? text + " is below 0" : std::string();
+      },
+      "");
+}
 
 void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
   CLI::Option* const building =
@@ -21,8 +46,10 @@ void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
               CLI::IsMember({"office", "hall", "wings", "corridor", "round", "paper", "hallway"})
                   .description(""))
           ->type_name("NAME");
-  subcommand.add_option(
-      "--seed", options.seed, "Another number, another building and another run (default: 1)");
+  subcommand
+      .add_option(
+          "--seed", options.seed, "Another number, another building and another run (default: 1)")
+      ->check(no_minus());
   CLI::Option* const plan =
       subcommand
           .add_option("--plan",
@@ -36,7 +63,7 @@ void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
                   "id=\"route\"")
       ->needs(plan);
   subcommand.add_option("--plan-scale", options.m_per_unit, "Metres that an SVG's unit stands for")
-      ->check(CLI::PositiveNumber.description(""))
+      ->check(above_zero())
       ->needs(plan);
   subcommand.add_flag("!--no-people", options.has_people, "Nobody stands or walks around");
 }
@@ -50,26 +77,27 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
       ->check(CLI::IsMember({"utm-30lx", "low-cost-360"}).description(""))
       ->type_name("NAME");
   subcommand.add_option("--field-of-view", options.field_of_view_deg, "Degrees that a scan covers");
-  subcommand.add_option("--beams", options.num_beams, "Beams of a scan, evenly over it");
+  subcommand.add_option("--beams", options.num_beams, "Beams of a scan, evenly over it")
+      ->check(no_minus());
 }
 
 void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
   subcommand
       .add_option("--speed", options.speed.drive_m_per_s, "Of the robot, in m/s (default: 0.5)")
-      ->check(CLI::PositiveNumber.description(""));
+      ->check(above_zero());
   CLI::Option* const rate =
       subcommand.add_option("--rate", options.scans_per_s, "Scans a second (default: 10)")
-          ->check(CLI::PositiveNumber.description(""));
+          ->check(above_zero());
   CLI::Option* const every =
       subcommand
           .add_option("--every",
                       options.every_m,
                       "Instead: a scan whenever the robot has moved this far, in m, or turned by "
                       "--every-angle")
-          ->check(CLI::PositiveNumber.description(""))
+          ->check(above_zero())
           ->excludes(rate);
   subcommand.add_option("--every-angle", options.every_deg, "In degrees (default: 10)")
-      ->check(CLI::PositiveNumber.description(""))
+      ->check(above_zero())
       ->needs(every);
   subcommand.add_flag("!--no-odometry-drift", options.has_drift, "Wheels that measure the truth");
 }
@@ -89,6 +117,9 @@ ScannerModel scanner_from(const SimulateOptions& options) {
   ScannerModel scanner = options.scanner == "low-cost-360" ? low_cost_360() : utm_30lx();
   if (options.field_of_view_deg) {
     scanner = with_field_of_view(scanner, rad_from_deg(*options.field_of_view_deg));
+  }
+  if (options.num_beams > std::size_t{kMaxBeams}) {
+    throw Error("--beams: at most " + std::to_string(kMaxBeams));
   }
   if (options.num_beams) scanner = with_num_beams(scanner, *options.num_beams);
   return scanner;

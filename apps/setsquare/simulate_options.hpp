@@ -34,7 +34,8 @@ struct SimulateOptions {
 /// Adds the options. `options` must outlive the application.
 void add_simulate_options(CLI::App& subcommand, SimulateOptions& options);
 
-/// The scanner that the options describe. Throws ParameterError.
+/// The scanner that the options describe. Throws ParameterError, Error (more beams than a log can
+/// hold).
 [[nodiscard]] ScannerModel scanner_from(const SimulateOptions& options);
 
 }  // namespace setsquare::app

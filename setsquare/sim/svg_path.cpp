@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -14,6 +15,9 @@ namespace setsquare {
 namespace {
 
 using Eigen::Vector2d;
+
+/// More than any plan has: a few bytes may ask for thousands of chords.
+constexpr std::size_t kMaxCorners = 2'000'000;
 
 /// Follows the commands of a path; points are in user units until they become corners.
 class Pen {
@@ -49,6 +53,7 @@ class Pen {
   Eigen::Affine2d T_map_user_;
   double tolerance_m_;
   std::vector<SvgStroke> strokes_;
+  std::size_t num_corners_ = 0;  ///< Of the strokes that have ended.
   Corners corners_m_;
   Vector2d here_ = Vector2d::Zero();
   Vector2d stroke_start_ = Vector2d::Zero();
@@ -62,6 +67,7 @@ void Pen::end_stroke(bool is_closed) {
       (corners_m_.back() - corners_m_.front()).norm() < 1e-9) {
     corners_m_.pop_back();
   }
+  num_corners_ += corners_m_.size();
   if (corners_m_.size() > 1) strokes_.push_back({std::move(corners_m_), is_closed});
   corners_m_.clear();
 }
@@ -182,6 +188,9 @@ void Pen::follow(SvgScanner& d) {
       } else {
         if (corners_m_.empty()) corners_m_.emplace_back(T_map_user_ * here_);
         draw(command, d);
+      }
+      if (num_corners_ + corners_m_.size() > kMaxCorners) {
+        throw SvgFault("a path of more than 2 million corners");
       }
       last_command_ = command;
       if (command == 'M') command = 'L';  // further pairs are lines

@@ -202,7 +202,10 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
                "through a wall at 0.00,-100.00");
   expect_error("--plan " + cut + " --route '1,1 2,2'", "cut.pgm, offset 16: the image ends");
   expect_error("--plan " + folder.write("plan.dxf", "x") + " --route '1,1 2,2'", ".svg, .yaml");
-  expect_error("--speed 0", "--speed");
+  expect_error("--seed -1", "-1 is below 0");
+  expect_error("--speed 0", "--speed: 0 is not a number above 0");
+  expect_error("--every nan", "--every");
+  expect_error("--beams 1000000000", "--beams");
   expect_error("--rate 1000", "at most");
   expect_error("--speed 1e-9", "a million scans");
   expect_error("--rate 5 --every 1", "--every");

@@ -204,6 +204,13 @@ TEST(FloorPlanSvg, ADocumentNestedWithoutEndIsRefused) {
   EXPECT_THAT(error_of(svg(deep)), HasSubstr("nested too deeply"));
 }
 
+TEST(FloorPlanSvg, AFewBytesCannotAskForAllMemory) {
+  std::string curves = "M0 0";
+  for (int i = 0; i < 50'000; ++i)
+    curves += i % 2 == 0 ? "T9e8 0" : "T0 9e8";  // thousands of chords each
+  EXPECT_THAT(error_of(svg("<path d='" + curves + "'/>")), HasSubstr("2 million corners"));
+}
+
 TEST(FloorPlanSvg, ACutDocumentIsNeverACrash) {
   const std::string whole =
       svg("<g transform='rotate(5 1 1)'><path d='M4 0a4 4 30 0 0 4 4C1 2 3 4 5 6zH3'/>"
