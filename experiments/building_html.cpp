@@ -135,18 +135,15 @@ std::string building_html(const BuildingStudy& study) {
                         " buildings of five classes, seeds 1 to ",
                         number(all.num_buildings / (summaries.size() - 1)),
                         " of each; in each one run of about 16 scans of a UTM-30LX, and every pair "
-                        "of them "
-                        "within 5 m: ",
+                        "of them within 5 m: ",
                         number(all.num_pairs),
                         " pairs, ",
                         percent(share(all.num_below_60, all.num_pairs), 1),
                         " of them below 60 % overlap; ",
                         percent(all.clutter_share.mean(), 1),
                         " of the returns come from furniture, clutter and people. A pose is right "
-                        "within "
-                        "0.2 m and 30 deg of the truth (the paper's limits); an answer "
-                        "\" matched\" is wrong "
-                        "when it is off by more than 0.2 m or 3 deg."}));
+                        "within 0.2 m and 30 deg of the truth (the paper's limits); an answer "
+                        "'matched' is wrong when it is off by more than 0.2 m or 3 deg."}));
   html += paragraph(
       joined({"Success is told of the pairs that the floor plan determines. Of the ",
               number(all.num_high),
@@ -161,7 +158,7 @@ std::string building_html(const BuildingStudy& study) {
   html += table_html(
       class_table(summaries,
                   &BuildingSummary::paper,
-                  "The paper's method (\" matched\" above its threshold; it gives no covariance)"));
+                  "The paper's method ('matched' above its threshold; it gives no covariance)"));
   html += figure(overlap_charts(all), "Against overlap, all classes; bins of at least 10 pairs.");
   html += listing("Wrong answers of the default matcher", lists.wrong);
   html += listing("Determined pairs of at least 45 % overlap that it misses", lists.failures);

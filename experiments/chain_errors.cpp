@@ -10,7 +10,7 @@ namespace {
 
 /// Sums for a line through points.
 struct LineFit {
-  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
+  double n = 0.0, x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
 
   void add(double px, double py) {
     n += 1.0;
@@ -18,12 +18,8 @@ struct LineFit {
     y += py;
     xx += px * px;
     xy += px * py;
-    yy += py * py;
   }
   [[nodiscard]] double slope() const { return (n * xy - x * y) / (n * xx - x * x); }
-  [[nodiscard]] double correlation() const {
-    return (n * xy - x * y) / std::sqrt((n * xx - x * x) * (n * yy - y * y));
-  }
 };
 
 }  // namespace
@@ -68,18 +64,30 @@ std::vector<double> travelled_m(std::span<const Pose2> poses) {
 HeadingErrors heading_errors(std::span<const Pose2> chain, std::span<const Pose2> truth) {
   const std::vector<double> path_m = travelled_m(truth);
   HeadingErrors errors;
-  LineFit signed_fit;
-  LineFit absolute_fit;
+  LineFit fit;
+  LineFit square_fit;
+  double sum_rad = 0.0;
+  double square_sum_rad = 0.0;
+  double previous_rad = 0.0;
   for (std::size_t k = 0; k < chain.size(); ++k) {
     const double error_rad = wrap_to_pi(chain[k].theta_rad - truth[k].theta_rad);
+    const double square_rad = wrap_to_period(error_rad, 0.5 * kPi);
+    const double step_rad = wrap_to_pi(error_rad - previous_rad);
+    errors.num_wrong_turns += k > 0 && std::abs(step_rad) > 0.25 * kPi;
     errors.highest_rad = std::max(errors.highest_rad, std::abs(error_rad));
-    signed_fit.add(path_m[k], error_rad);
-    absolute_fit.add(path_m[k], std::abs(error_rad));
-    errors.end_rad = std::abs(error_rad);
+    fit.add(path_m[k], error_rad);
+    square_fit.add(path_m[k], square_rad);
+    sum_rad += std::abs(error_rad);
+    square_sum_rad += std::abs(square_rad);
+    previous_rad = error_rad;
   }
-  errors.mean_rad = absolute_fit.y / absolute_fit.n;
-  errors.slope_rad_per_100_m = 100.0 * signed_fit.slope();
-  errors.correlation_with_path = absolute_fit.correlation();
+  const auto num_scans = static_cast<double>(chain.size());
+  errors.mean_rad = sum_rad / num_scans;
+  errors.end_rad = std::abs(previous_rad);
+  errors.slope_rad_per_100_m = 100.0 * fit.slope();
+  errors.square_mean_rad = square_sum_rad / num_scans;
+  errors.square_end_rad = std::abs(wrap_to_period(previous_rad, 0.5 * kPi));
+  errors.square_slope_rad_per_100_m = 100.0 * square_fit.slope();
   return errors;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -13,11 +14,15 @@ namespace setsquare::experiments {
 
 /// Heading of a chain against the truth, along the way, in rad.
 struct HeadingErrors {
-  double highest_rad = 0.0;            ///< Of the absolute errors.
-  double mean_rad = 0.0;               ///< Of the absolute errors.
-  double end_rad = 0.0;                ///< Absolute error of the last scan.
-  double slope_rad_per_100_m = 0.0;    ///< Of the line through error against distance.
-  double correlation_with_path = 0.0;  ///< Of the absolute error with the distance.
+  double highest_rad = 0.0;          ///< Of the absolute errors.
+  double mean_rad = 0.0;             ///< Of the absolute errors.
+  double end_rad = 0.0;              ///< Absolute error of the last scan.
+  double slope_rad_per_100_m = 0.0;  ///< Of the line through error against distance.
+  std::size_t num_wrong_turns = 0;   ///< Steps that turn wrongly by more than 45 deg.
+  /// The same errors modulo 90 deg, as the walls measure the heading.
+  double square_mean_rad = 0.0;
+  double square_end_rad = 0.0;
+  double square_slope_rad_per_100_m = 0.0;
 };
 
 /// Direction of a plan's walls in the map frame, modulo 90 deg, in rad: their mean, weighted by

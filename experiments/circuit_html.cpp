@@ -50,51 +50,71 @@ std::string closure_table(const CircuitStudy& study) {
 std::vector<Cell> heading_row(const std::string& name,
                               const CircuitStudy& study,
                               ChainOutcome CircuitRun::*outcome) {
-  std::vector<double> mean, highest, end, slope;
-  ChainCounts counts;
+  std::vector<double> mean, end, slope, square_mean, square_end, square_slope;
+  std::size_t num_wrong_turns = 0;
   for (const CircuitRun& run : study.runs) {
-    const ChainOutcome& one = run.*outcome;
-    mean.push_back(deg_from_rad(one.heading.mean_rad));
-    highest.push_back(deg_from_rad(one.heading.highest_rad));
-    end.push_back(deg_from_rad(one.heading.end_rad));
-    slope.push_back(std::abs(deg_from_rad(one.heading.slope_rad_per_100_m)));
-    counts.num_matched += one.chain.counts.num_matched;
-    counts.num_degenerate += one.chain.counts.num_degenerate;
-    counts.num_ambiguous += one.chain.counts.num_ambiguous;
-    counts.num_unmatched += one.chain.counts.num_unmatched;
+    const HeadingErrors& heading = (run.*outcome).heading;
+    mean.push_back(deg_from_rad(heading.mean_rad));
+    end.push_back(deg_from_rad(heading.end_rad));
+    slope.push_back(std::abs(deg_from_rad(heading.slope_rad_per_100_m)));
+    square_mean.push_back(deg_from_rad(heading.square_mean_rad));
+    square_end.push_back(deg_from_rad(heading.square_end_rad));
+    square_slope.push_back(std::abs(deg_from_rad(heading.square_slope_rad_per_100_m)));
+    num_wrong_turns += heading.num_wrong_turns;
   }
-  return {
-      {name},
-      {number(median(mean), 3)},
-      {number(median(highest), 3)},
-      {joined(
-          {number(median(end), 3), ", ", number(*std::max_element(end.begin(), end.end()), 3)})},
-      {number(median(slope), 4)},
-      {number(counts.num_matched)},
-      {number(counts.num_degenerate)},
-      {number(counts.num_ambiguous)},
-      {number(counts.num_unmatched)}};
+  const auto worst = [](const std::vector<double>& values) {
+    return number(*std::max_element(values.begin(), values.end()), 3);
+  };
+  return {{name},
+          {number(median(mean), 3)},
+          {joined({number(median(end), 3), ", ", worst(end)})},
+          {number(median(slope), 4)},
+          {number(num_wrong_turns), num_wrong_turns == 0 ? "" : "bad"},
+          {number(median(square_mean), 3)},
+          {joined({number(median(square_end), 3), ", ", worst(square_end)})},
+          {number(median(square_slope), 4)}};
 }
 
 std::string heading_table(const CircuitStudy& study) {
   Table table{
-      "Heading against the truth in deg, median of the seeds; and how the scans of all seeds were "
-      "placed: \"degenerate\" keeps the last motion along one direction, \"ambiguous\" takes of "
-      "two "
-      "poses the one nearer to the last motion, the rest keeps the last motion (paper: stands "
-      "still)",
+      "Heading against the truth in deg, median of the seeds. A wrong turn is a step whose "
+      "rotation is off by more than 45 deg; modulo 90 deg such steps do not count: that is what "
+      "the directions of the walls hold fast",
       {"method",
        "mean",
-       "highest",
        "at the end: median, worst",
        "|slope| per 100 m",
-       "matched",
-       "degenerate",
-       "ambiguous",
-       "unmatched"},
+       "wrong turns, all seeds",
+       "modulo 90 deg: mean",
+       "at the end: median, worst",
+       "|slope| per 100 m"},
       {}};
   table.rows.push_back(heading_row("here: --preset paper", study, &CircuitRun::paper));
   table.rows.push_back(heading_row("here: default", study, &CircuitRun::ours));
+  return table_html(table);
+}
+
+std::vector<Cell> count_row(const std::string& name,
+                            const CircuitStudy& study,
+                            ChainOutcome CircuitRun::*outcome) {
+  ChainCounts counts;
+  for (const CircuitRun& run : study.runs) counts += (run.*outcome).chain.counts;
+  return {{name},
+          {number(counts.num_matched)},
+          {number(counts.num_degenerate)},
+          {number(counts.num_ambiguous)},
+          {number(counts.num_unmatched)}};
+}
+
+std::string count_table(const CircuitStudy& study) {
+  Table table{
+      "How the scans of all seeds were placed: 'degenerate' keeps the last motion along one "
+      "direction, 'ambiguous' takes of two poses the one nearer to the last motion, the rest keeps "
+      "the last motion (paper: stands still)",
+      {"method", "matched", "degenerate", "ambiguous", "unmatched"},
+      {}};
+  table.rows.push_back(count_row("here: --preset paper", study, &CircuitRun::paper));
+  table.rows.push_back(count_row("here: default", study, &CircuitRun::ours));
   return table_html(table);
 }
 
@@ -186,6 +206,7 @@ std::string circuit_html(const CircuitStudy& study) {
   html += command_line("setsquare experiment paper --only section_5_2 -o out");
   html += closure_table(study);
   html += heading_table(study);
+  html += count_table(study);
   html += track_charts(first);
   html += seed_table(study);
   html += figure(plan_svg(study.plan,

@@ -19,7 +19,11 @@ Json json_from(const HeadingErrors& errors) {
           {"mean_deg", to_deg * errors.mean_rad},
           {"end_deg", to_deg * errors.end_rad},
           {"slope_deg_per_100_m", to_deg * errors.slope_rad_per_100_m},
-          {"correlation_of_absolute_error_with_distance", errors.correlation_with_path}};
+          {"num_wrong_turns", errors.num_wrong_turns},
+          {"modulo_90_deg",
+           {{"mean_deg", to_deg * errors.square_mean_rad},
+            {"end_deg", to_deg * errors.square_end_rad},
+            {"slope_deg_per_100_m", to_deg * errors.square_slope_rad_per_100_m}}}};
 }
 
 Json json_from(const ChainOutcome& outcome) {

@@ -35,7 +35,7 @@ Goal success_goal(const std::string& where,
 }
 
 Goal wrong_goal(const std::optional<BuildingSummary>& all) {
-  Goal goal{"200 buildings: wrong among those answered \" matched\", all pairs within 5 m",
+  Goal goal{"200 buildings: wrong among those answered 'matched', all pairs within 5 m",
             "-",
             "<= 0.1 %",
             "0",
@@ -93,19 +93,31 @@ Goal heading_goal(const std::optional<CircuitStudy>& study) {
             "-"};
   if (!study) return goal;
   double worst_end_rad = 0.0;
+  double worst_square_rad = 0.0;
+  std::size_t num_wrong_turns = 0;
   std::vector<double> slopes;
   for (const CircuitRun& run : study->runs) {
-    worst_end_rad = std::max(worst_end_rad, run.paper.heading.end_rad);
-    slopes.push_back(deg_from_rad(std::abs(run.paper.heading.slope_rad_per_100_m)));
+    const HeadingErrors& heading = run.paper.heading;
+    worst_end_rad = std::max(worst_end_rad, heading.end_rad);
+    worst_square_rad = std::max(worst_square_rad, heading.square_end_rad);
+    num_wrong_turns += heading.num_wrong_turns;
+    slopes.push_back(deg_from_rad(std::abs(heading.square_slope_rad_per_100_m)));
   }
   const double slope_deg = median(slopes);
   goal.reached = joined({number(deg_from_rad(worst_end_rad), 3),
-                         " deg at the end (worst seed), slope ",
+                         " deg at the end (worst seed; modulo 90 deg: ",
+                         number(deg_from_rad(worst_square_rad), 3),
+                         "), slope modulo 90 deg ",
                          number(slope_deg, 4),
-                         " deg per 100 m (median)"});
+                         " deg per 100 m (median), ",
+                         number(num_wrong_turns),
+                         " wrong turns over ",
+                         number(study->runs.size()),
+                         " seeds"});
   goal.is_known = true;
-  // Less than half of what is allowed at the end, over the whole track.
-  goal.meets_must = deg_from_rad(worst_end_rad) <= 0.5 && slope_deg * 11.24 <= 0.25;
+  // Over the whole track less than half of what is allowed at the end.
+  const bool grows = slope_deg * 11.24 > 0.25 || num_wrong_turns > 0;
+  goal.meets_must = deg_from_rad(worst_end_rad) <= 0.5 && !grows;
   goal.meets_aim = goal.meets_must;
   return goal;
 }

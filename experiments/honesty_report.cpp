@@ -72,43 +72,14 @@ Json json_from(const HonestyStudy& study) {
 }
 
 std::string honesty_html(const HonestyStudy& study) {
-  std::string html = paragraph(
-      joined({"Places in which the scans do not tell everything, ",
-              number(study.num_seeds),
-              " seeds of each: what the default matcher answers beside what can be known. "
-              "Direction: of the answers \" degenerate\", mean and highest angle to the "
-              "direction "
-              "that the floor plan leaves open. "
-              "Error / claim: of the answers "
-              "\" matched\" and "
-              "\" degenerate\", "
-              "mean "
-              "absolu"
-              "te "
-              "error "
-              "and "
-              "median"
-              " claim"
-              "ed "
-              "standa"
-              "rd "
-              "deviat"
-              "ion, "
-              "along "
-              "the "
-              "direct"
-              "ion "
-              "that "
-              "the "
-              "plan "
-              "determ"
-              "ines "
-              "least "
-              "and "
-              "across"
-              " it; "
-              "\" none\" where the "
-              "information claims nothing."}));
+  std::string html = paragraph(joined(
+      {"Places in which the scans do not tell everything, ",
+       number(study.num_seeds),
+       " seeds of each: what the default matcher answers beside what can be known. Direction: of "
+       "the answers 'degenerate', mean and highest angle to the direction that the floor plan "
+       "leaves open. Error / claim: of the answers 'matched' and 'degenerate', mean absolute error "
+       "and median claimed standard deviation, along the direction that the plan determines least "
+       "and across it; 'none' where the information claims nothing."}));
   html += command_line("setsquare experiment paper --only honesty -o out");
   Table table{"",
               {"place",

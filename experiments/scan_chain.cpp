@@ -81,6 +81,14 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
 
 }  // namespace
 
+ChainCounts& ChainCounts::operator+=(const ChainCounts& other) {
+  num_matched += other.num_matched;
+  num_degenerate += other.num_degenerate;
+  num_ambiguous += other.num_ambiguous;
+  num_unmatched += other.num_unmatched;
+  return *this;
+}
+
 Pose2 motion_from(const MatchResult& result, const Pose2& last_motion) {
   if (!result.T_reference_current) return last_motion;
   const Pose2& answered = *result.T_reference_current;

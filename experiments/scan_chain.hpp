@@ -18,6 +18,8 @@ struct ChainCounts {
   std::size_t num_degenerate = 0;  ///< Carried on along one direction by the last motion.
   std::size_t num_ambiguous = 0;   ///< Of the two best poses the one nearer to the last motion.
   std::size_t num_unmatched = 0;   ///< Carried on by the last motion, or standing still (paper).
+
+  ChainCounts& operator+=(const ChainCounts& other);
 };
 
 /// Scans placed one after the other, each by its match with the one before; no loop is closed, no

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "experiments/chain_errors.hpp"
+#include "experiments/scan_chain.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+MatchResult answer(MatchStatus status, const Pose2& pose) {
+  MatchResult result;
+  result.status = status;
+  result.T_reference_current = pose;
+  return result;
+}
+
+const Pose2 kLast{0.4, 0.0, 0.0};
+
+TEST(MotionFrom, AMatchedAnswerIsTaken) {
+  const Pose2 pose{0.3, 0.1, 0.2};
+  EXPECT_EQ(motion_from(answer(MatchStatus::kMatched, pose), kLast), pose);
+}
+
+TEST(MotionFrom, ACorridorKeepsTheLastMotionAlongAndTheAnswerAcross) {
+  MatchResult result = answer(MatchStatus::kDegenerate, {5.0, 0.1, 0.02});
+  result.degenerate_direction_rad = 0.0;
+  const Pose2 motion = motion_from(result, kLast);
+  EXPECT_NEAR(motion.x_m, 0.4, 1e-12);
+  EXPECT_NEAR(motion.y_m, 0.1, 1e-12);
+  EXPECT_EQ(motion.theta_rad, 0.02);
+}
+
+TEST(MotionFrom, OfTwoPosesTheOneNearerToTheLastMotion) {
+  MatchResult result = answer(MatchStatus::kAmbiguous, {2.4, 0.0, 0.0});
+  result.runner_up = RunnerUp{{0.41, 0.0, 0.0}, 0.5};
+  EXPECT_EQ(motion_from(result, kLast).x_m, 0.41);
+  result.runner_up->T_reference_current.x_m = -3.0;
+  EXPECT_EQ(motion_from(result, kLast).x_m, 2.4);
+}
+
+TEST(MotionFrom, WithoutAPoseTheLastMotion) {
+  MatchResult result;
+  result.status = MatchStatus::kNoOverlap;
+  EXPECT_EQ(motion_from(result, kLast), kLast);
+}
+
+TEST(TranslationGivenTurn, IsWhereTheCostIsLeast) {
+  MatchResult result = answer(MatchStatus::kMatched, {0.4, 0.1, 0.02});
+  result.information.setZero();
+  result.information(0, 0) = 4e4;
+  result.information(1, 1) = 1e4;
+  result.information(2, 2) = 3e5;
+  result.information(1, 2) = result.information(2, 1) = 5e4;
+  const double turn_rad = 0.03;
+  const Eigen::Vector2d best =
+      translation_given_turn(result, *result.T_reference_current, turn_rad);
+  const auto cost = [&](const Eigen::Vector2d& p) {
+    const Eigen::Vector3d e(p.x() - 0.4, p.y() - 0.1, turn_rad - 0.02);
+    return e.dot(result.information * e);
+  };
+  EXPECT_NEAR(best.y(), 0.1 - 5.0 * 0.01, 1e-12);
+  for (const double step : {-1e-3, 1e-3}) {
+    EXPECT_GT(cost(best + Eigen::Vector2d(step, 0.0)), cost(best));
+    EXPECT_GT(cost(best + Eigen::Vector2d(0.0, step)), cost(best));
+  }
+}
+
+/// Round a square of 20 m, a pose every metre.
+std::vector<Pose2> square_track(double axis_rad) {
+  std::vector<Pose2> track = {{1.0, 2.0, axis_rad}};
+  for (int side = 0; side < 4; ++side) {
+    for (int i = 0; i < 20; ++i) track.push_back(track.back() * Pose2{1.0, 0.0, 0.0});
+    track.push_back(track.back() * Pose2{0.0, 0.0, 0.5 * kPi});
+  }
+  return track;
+}
+
+TEST(ChainErrors, APerfectChainInAnotherFrameHasNone) {
+  const double axis_rad = 0.3;
+  const std::vector<Pose2> truth = square_track(axis_rad);
+  const Pose2 T_building_map{-7.0, 3.0, 0.5 * kPi - axis_rad};
+  std::vector<Pose2> chain;
+  for (const Pose2& pose : truth) chain.push_back(T_building_map * pose);
+  const std::vector<Pose2> placed = placed_at_truth(chain, truth, axis_rad);
+  const HeadingErrors heading = heading_errors(placed, truth);
+  EXPECT_LT(heading.highest_rad, 1e-9);
+  EXPECT_EQ(heading.num_wrong_turns, 0U);
+  EXPECT_LT(closure_error(placed, truth, 0, truth.size() - 1).norm(), 1e-9);
+}
+
+TEST(ChainErrors, AClosureErrorIsThatOfTheMap) {
+  const std::vector<Pose2> truth = square_track(1.0);
+  std::vector<Pose2> chain = truth;
+  chain.back().x_m += 0.3;
+  chain.back().y_m -= 0.8;
+  const Eigen::Vector2d error_m = closure_error(chain, truth, 0, truth.size() - 1);
+  EXPECT_NEAR(error_m.x(), 0.3, 1e-12);
+  EXPECT_NEAR(error_m.y(), -0.8, 1e-12);
+}
+
+TEST(ChainErrors, AWrongQuarterTurnIsCountedAndIsNoneModulo90Deg) {
+  const std::vector<Pose2> truth = square_track(0.0);
+  std::vector<Pose2> chain = truth;
+  for (std::size_t k = 30; k < chain.size(); ++k) chain[k].theta_rad += 0.5 * kPi;
+  const HeadingErrors heading = heading_errors(chain, truth);
+  EXPECT_EQ(heading.num_wrong_turns, 1U);
+  EXPECT_NEAR(heading.end_rad, 0.5 * kPi, 1e-12);
+  EXPECT_NEAR(heading.square_end_rad, 0.0, 1e-12);
+}
+
+TEST(ChainErrors, DriftOfTheHeadingIsItsSlope) {
+  const std::vector<Pose2> truth = square_track(0.0);
+  const std::vector<double> path_m = travelled_m(truth);
+  std::vector<Pose2> chain = truth;
+  for (std::size_t k = 0; k < chain.size(); ++k) chain[k].theta_rad += 1e-3 * path_m[k];
+  EXPECT_NEAR(heading_errors(chain, truth).slope_rad_per_100_m, 0.1, 1e-9);
+}
+
+TEST(ChainErrors, TheAxisOfAPlanIsThatOfItsWalls) {
+  FloorPlan plan;
+  const Pose2 turned{0.0, 0.0, 0.2};
+  add_polyline(plan,
+               {turned * Eigen::Vector2d(0, 0),
+                turned * Eigen::Vector2d(30, 0),
+                turned * Eigen::Vector2d(30, 10),
+                turned * Eigen::Vector2d(0, 10)},
+               Material::kWall);
+  add_polyline(plan, {{0, 0}, {50, 50}}, Material::kClutter, false);
+  EXPECT_NEAR(wrap_to_period(axis_of_plan(plan) - 0.2, 0.5 * kPi), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace setsquare::experiments
