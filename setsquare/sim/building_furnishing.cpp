@@ -141,44 +141,48 @@ bool place_any_clutter(BuildingSketch& sketch,
   return place_plant(sketch, floor, T_map_center, 0.4 * size, random);
 }
 
+/// Most tables and shelves stand parallel to a wall of the room, some do not.
+Pose2 turned_to_walls(const Pose2& place, double square_heading_rad, Random& random) {
+  if (random.chance(0.25)) return place;
+  const double crooked = rad_from_deg(1.5) * random.normal();
+  const double quarter = random.chance(0.5) ? 0.5 * kPi : 0.0;
+  return {place.x_m, place.y_m, square_heading_rad + quarter + crooked};
+}
+
+/// A shelf or a screen that stands free.
+bool place_free(BuildingSketch& sketch, RoomFloor& floor, const ConvexPolygon& outline) {
+  if (!floor.take(outline)) return false;
+  add_outline(sketch, outline, Material::kFurniture);
+  return true;
+}
+
 void furnish_floor(BuildingSketch& sketch,
                    RoomFloor& floor,
                    const Furnishing& furnishing,
                    Random& random) {
   const ConvexPolygon outline = floor.outline();
-  // Most tables and shelves stand parallel to a wall of the room, some do not.
   const Eigen::Vector2d side = outline[1] - outline[0];
-  const double square_heading = std::atan2(side.y(), side.x());
-  const auto turned = [&](const Pose2& place) {
-    if (random.chance(0.25)) return place;
-    const double crooked = rad_from_deg(1.5) * random.normal();
-    const double quarter = random.chance(0.5) ? 0.5 * kPi : 0.0;
-    return Pose2{place.x_m, place.y_m, square_heading + quarter + crooked};
-  };
+  const double heading = std::atan2(side.y(), side.x());
   scatter(outline, furnishing.pillars_per_m2, random, [&](const Pose2& place) {
     const double size = random.uniform(0.3, 0.7);
     const bool is_round = random.chance(0.4);
-    const Pose2 square{place.x_m, place.y_m, square_heading};
-    return place_pillar(sketch, floor, square, size, is_round);
+    return place_pillar(sketch, floor, {place.x_m, place.y_m, heading}, size, is_round);
   });
   scatter(outline, furnishing.shelf_rows_per_m2, random, [&](const Pose2& place) {
     const double length = random.uniform(1.2, 5.0);
     const double width = random.uniform(0.35, 0.9);
-    const ConvexPolygon shelf = box(turned(place), length, width);
-    if (!floor.take(shelf)) return false;
-    add_outline(sketch, shelf, Material::kFurniture);
-    return true;
+    const Pose2 turned = turned_to_walls(place, heading, random);
+    return place_free(sketch, floor, box(turned, length, width));
   });
   scatter(outline, furnishing.screens_per_m2, random, [&](const Pose2& place) {
-    const ConvexPolygon screen = box(turned(place), random.uniform(1.2, 3.0), 0.05);
-    if (!floor.take(screen)) return false;
-    add_outline(sketch, screen, Material::kFurniture);
-    return true;
+    const Pose2 turned = turned_to_walls(place, heading, random);
+    return place_free(sketch, floor, box(turned, random.uniform(1.2, 3.0), 0.05));
   });
   scatter(outline, furnishing.tables_per_m2, random, [&](const Pose2& place) {
     const double length = random.uniform(1.0, 2.4);
     const double width = random.uniform(0.7, 1.1);
-    return place_table(sketch, floor, turned(place), length, width, random);
+    const Pose2 turned = turned_to_walls(place, heading, random);
+    return place_table(sketch, floor, turned, length, width, random);
   });
   scatter(outline, furnishing.clutter_per_m2, random, [&](const Pose2& place) {
     return place_any_clutter(sketch, floor, place, random);
