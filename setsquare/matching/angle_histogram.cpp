@@ -48,14 +48,18 @@ float dot(const float* a, const float* b) {
 
 }  // namespace
 
+int AngleHistogram::bin_of(float normal_x, float normal_y) {
+  constexpr float kBinsPerRad = kNumBins / static_cast<float>(kTwoPi);
+  const float bearing_rad = approximate_bearing(normal_y, normal_x);
+  const int bin = static_cast<int>((bearing_rad + static_cast<float>(kPi)) * kBinsPerRad);
+  return std::clamp(bin, 0, kNumBins - 1);
+}
+
 AngleHistogram angle_histogram(const SurfacePoints& points) {
   std::array<float, kNumBins> raw{};
-  constexpr float kBinsPerRad = kNumBins / static_cast<float>(kTwoPi);
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (points.normal_x[i] == 0.0F && points.normal_y[i] == 0.0F) continue;
-    const float bearing_rad = approximate_bearing(points.normal_y[i], points.normal_x[i]);
-    const int bin = static_cast<int>((bearing_rad + static_cast<float>(kPi)) * kBinsPerRad);
-    raw[std::clamp(bin, 0, kNumBins - 1)] += points.weight_m[i];
+    raw[AngleHistogram::bin_of(points.normal_x[i], points.normal_y[i])] += points.weight_m[i];
   }
   return {smooth(raw)};
 }

@@ -18,6 +18,9 @@ struct AngleHistogram {
   [[nodiscard]] static constexpr double direction_rad(int bin) {
     return (bin + 0.5) * (kTwoPi / kNumBins) - kPi;
   }
+  /// The bin of a wall's unit normal; not for the zero of a point without a line.
+  [[nodiscard]] static int bin_of(float normal_x, float normal_y);
+
   std::array<float, kNumBins> length_m{};  ///< Smoothed over a few bins.
 };
 

@@ -7,10 +7,11 @@
 namespace setsquare {
 
 double score(const Evidence& evidence, const ScoreParams& params) {
-  if (!(evidence.wall_m > 0.0)) return 0.0;
-  return (evidence.agreeing_m - params.contradiction_weight * evidence.contradicted_m -
-          params.hidden_weight * evidence.hidden_m) /
-         evidence.wall_m;
+  const double compared_m = evidence.wall_m - params.outside_discount * evidence.outside_m;
+  if (!(compared_m > 0.0)) return 0.0;
+  const double contradiction = evidence.contradicted_m / compared_m;
+  return (evidence.agreeing_m - params.hidden_weight * evidence.hidden_m) / compared_m -
+         params.contradiction_weight * std::log1p(contradiction / params.usual_contradiction);
 }
 
 bool are_same(const Pose2& a, const Pose2& b, const AnswerParams& params) {

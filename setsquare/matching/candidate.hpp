@@ -17,8 +17,8 @@ struct Candidate {
   double score = 0.0;
 };
 
-/// Agreement less weighted contradictions and hidden returns, as shares of the compared wall: at
-/// most 1, and 1 only where everything agrees to the millimetre.
+/// Agreement less hidden returns and contradictions (ScoreParams), as shares of the compared wall:
+/// at most 1, and 1 only where everything agrees to the millimetre.
 [[nodiscard]] double score(const Evidence& evidence, const ScoreParams& params);
 
 /// Whether two poses are one answer, within the size of one basin.

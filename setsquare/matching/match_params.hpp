@@ -19,26 +19,37 @@ struct SearchParams {
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
   std::size_t min_points = 10;     ///< Returns that a scan must have at least.
+  double min_agreement = 0.10;     ///< Share; below it the scans do not overlap.
+  double min_constraint_m = 0.5;   ///< Wall that must hold the weakest direction of the pose.
+  double min_turning_m3 = 2.0;     ///< Wall times squared lever arm that must hold the rotation.
   double min_score = 0.24;         ///< An answer stands by its score ...
-  double min_margin = 0.05;        ///< ... and a margin above the best different pose,
-  double min_score_alone = 0.10;   ///< or, where much is hidden or has moved, by a lower score ...
-  double min_margin_alone = 0.25;  ///< ... and a wide margin: nothing else comes near.
+  double min_margin = 0.08;        ///< ... and a margin above the best different pose,
+  double min_score_alone = 0.05;   ///< or, where much is hidden or has moved, by a lower score ...
+  double min_margin_alone = 0.15;  ///< ... and a wide margin: nothing else comes near.
+  double floor_score = -0.10;      ///< Runners-up below it are all alike: no match at all.
   double low_score = 0.30;         ///< Below it ...
   double min_wall_m = 3.0;         ///< ... so much wall must hold the pose, both directions summed.
-  /// A different pose of this share of the agreement, contradicted no more, makes the answer
+  /// The margin must reach so many times the share of one scan's wall, agreeing or contradicted,
+  /// that the other contradicts.
+  double margin_per_contradiction = 1.0;
+  double min_distinct_m = 3.0;  ///< Agreeing wall, no line for more than half a metre.
+  /// A different pose of this share of the agreement, contradicted as little, makes the answer
   /// ambiguous: a row of doors.
-  double rival_agreement = 0.8;
-  double min_constraint_m = 0.5;     ///< Wall that must hold the weakest direction of the pose.
-  double min_agreement = 0.10;       ///< Below it the scans do not overlap.
-  double same_translation_m = 0.30;  ///< Poses nearer than both of these are one answer.
+  double rival_agreement = 0.7;
+  double rival_contradiction = 0.005;  ///< By so much more at most: share of what can be judged.
+  double same_translation_m = 0.30;    ///< Poses nearer than both of these are one answer.
   double same_rotation_rad = 0.10;
 };
 
 /// Weights of the score, from agreeing, contradicted and hidden shares of the compared wall.
 struct ScoreParams {
-  double tolerance_m = 0.20;          ///< Farther from a surface nothing agrees.
-  double contradiction_weight = 2.0;  ///< A return where the other scan saw through.
-  double hidden_weight = 0.3;         ///< A return behind the other scan's surface.
+  double tolerance_m = 0.20;      ///< Farther from a surface nothing agrees.
+  double hidden_weight = 0.1;     ///< A return behind the other scan's surface.
+  double outside_discount = 0.3;  ///< How little a return counts that the other cannot judge.
+  /// Returns where the other scan saw through cost weight * ln(1 + share / usual share): the first
+  /// ones much, for true poses have next to none; more of them less and less, for people walk.
+  double contradiction_weight = 0.15;
+  double usual_contradiction = 0.02;
 };
 
 /// Parameters of the default matcher. Every field has a default that serves every sensor and log.

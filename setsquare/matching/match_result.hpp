@@ -15,7 +15,8 @@ namespace setsquare {
 enum class MatchStatus {
   kMatched,       ///< The pose is determined by the scans and stands alone.
   kAmbiguous,     ///< Another, different pose explains the scans almost as well.
-  kDegenerate,    ///< The scans do not determine the motion along one direction (a corridor).
+  kDegenerate,    ///< The scans do not determine the motion along one direction (a corridor), or
+                  ///< the rotation (a round hall).
   kNoOverlap,     ///< No proposal explains enough of the scans.
   kTooFewPoints,  ///< A scan has too few returns to say anything.
   kRejected,      ///< The paper's threshold on the ZNCC was not reached (preset `paper` only).
@@ -48,7 +49,8 @@ struct MatchResult {
   double contradiction = 0.0;  ///< Share of the returns that lie where the other scan saw through.
   double overlap = 0.0;        ///< Share of the current returns explained by the reference.
   std::optional<RunnerUp> runner_up = std::nullopt;
-  /// Direction in the reference's frame along which the pose is not determined, in rad, modulo pi.
+  /// Direction in the reference's frame along which the pose is not determined, in rad, modulo pi;
+  /// nothing where it is only the rotation that is not.
   std::optional<double> degenerate_direction_rad = std::nullopt;
 };
 

@@ -15,11 +15,13 @@ struct PreparedScan {
   SurfacePoints points;
   SurfaceImage image;
   SurfaceSamples coarse;  ///< A few dozen samples: proposals live or die on them.
-  SurfaceSamples fine;    ///< All points, or a few hundred of them.
+  SurfaceSamples fine;    ///< A few hundred, by weights that favour rare directions: the verdict.
+  SurfaceSamples dense;   ///< As many as pay, by length of wall: the pose's last digits.
   AngleHistogram histogram;
 
   [[nodiscard]] AlignedScan coarse_alignment() const { return {image, coarse}; }
   [[nodiscard]] AlignedScan fine_alignment() const { return {image, fine}; }
+  [[nodiscard]] AlignedScan dense_alignment() const { return {image, dense}; }
 };
 
 /// Throws ParameterError where the scan's geometry is no scan's (Scan::validate).

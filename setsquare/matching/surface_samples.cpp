@@ -34,25 +34,31 @@ SurfaceSamples padded(SurfaceSamples samples) {
 }  // namespace
 
 SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples) {
+  return sample_surface(points, points.weight_m, max_samples);
+}
+
+SurfaceSamples sample_surface(const SurfacePoints& points,
+                              std::span<const float> weights_m,
+                              std::size_t max_samples) {
   SurfaceSamples samples;
   if (points.size() <= max_samples) {
     samples.x_m = points.x_m;
     samples.y_m = points.y_m;
     samples.normal_x = points.normal_x;
     samples.normal_y = points.normal_y;
-    samples.weight_m = points.weight_m;
+    samples.weight_m.assign(weights_m.begin(), weights_m.end());
     return padded(std::move(samples));
   }
   for (auto* array :
        {&samples.x_m, &samples.y_m, &samples.normal_x, &samples.normal_y, &samples.weight_m}) {
     array->reserve(max_samples);
   }
-  const double total_m = std::accumulate(points.weight_m.begin(), points.weight_m.end(), 0.0);
+  const double total_m = std::accumulate(weights_m.begin(), weights_m.end(), 0.0);
   const double step_m = total_m / static_cast<double>(max_samples);
   double walked_m = 0.0;
   double next_m = 0.5 * step_m;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    walked_m += points.weight_m[i];
+    walked_m += weights_m[i];
     if (walked_m <= next_m) continue;
     int num_steps = 0;
     for (; walked_m > next_m; ++num_steps) next_m += step_m;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "setsquare/matching/surface_points.hpp"
@@ -28,5 +29,10 @@ struct SurfaceSamples {
 /// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);
 /// all of them where they are no more.
 [[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples);
+
+/// The same by other weights than the points' own, one a point, in m.
+[[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points,
+                                            std::span<const float> weights_m,
+                                            std::size_t max_samples);
 
 }  // namespace setsquare
