@@ -3,13 +3,21 @@
 #include "setsquare/matching/match_information.hpp"
 
 #include <cmath>
-#include <cstdlib>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 namespace setsquare {
 namespace {
 
-double env(const char* n, double v) { return getenv(n) ? atof(getenv(n)) : v; }
+/// Distances of samples nearer than this along the wall share one cause.
+constexpr double kPieceLength_m = 0.25;
+/// Standard deviation of what a whole piece is off by, though its own samples do not show it.
+constexpr double kUnevenness_m = 0.005;
+/// Variance times piece length below which nobody believes it, in m^3.
+constexpr double kLeastScatter_m3 = 1e-5;
+/// A sample without a fitted line counts for less, as in `align`.
+constexpr double kClutterWeight = 0.3;
+constexpr float kMinNormalCosine = 0.7F;
 
 void add_one_way(const SurfaceImage& image_a,
                  const SurfaceSamples& samples_b,
@@ -17,8 +25,6 @@ void add_one_way(const SurfaceImage& image_a,
                  const Eigen::Matrix3d& A,
                  double tolerance_m,
                  MatchNormal& normal) {
-  static const double kPieceLength_m = env("PIECE", 0.25);
-  static const double kUnevenness_m = env("UNEVEN", 0.005);
   const float c = static_cast<float>(std::cos(T_a_b.theta_rad));
   const float s = static_cast<float>(std::sin(T_a_b.theta_rad));
   const float tx = static_cast<float>(T_a_b.x_m);
@@ -45,8 +51,8 @@ void add_one_way(const SurfaceImage& image_a,
     piece_m += samples_b.weight_m[i];
     if (nearness > 0.0) {
       const bool has_normal = nx != 0.0F || ny != 0.0F;
-      const double facing =
-          !has_normal ? 0.3 : (nx * sector.normal_x + ny * sector.normal_y > 0.7F ? 1.0 : 0.0);
+      const bool faces_alike = nx * sector.normal_x + ny * sector.normal_y > kMinNormalCosine;
+      const double facing = !has_normal ? kClutterWeight : (faces_alike ? 1.0 : 0.0);
       const double w = samples_b.weight_m[i] * facing * nearness * nearness;
       const Eigen::Vector3d J =
           A * Eigen::Vector3d(
@@ -81,22 +87,18 @@ MatchNormal match_normal(const AlignedScan& reference,
 }
 
 Eigen::Matrix3d match_information(const MatchNormal& normal) {
-  static const double kMode = env("MODE", 0), kInfl = env("INFL", 1), kRel = env("REL", 0.05),
-                      kFloor = env("FLOOR", 1e-5);
-  // Root of the hessian: rotations in units of the walls' lever arm.
+  // H = B B^T by its eigenvectors; in the whitened coordinates the sandwich H S^-1 H is
+  // B (B^-1 S B^-T)^-1 B^T, which stays finite where H is singular.
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal.hessian);
-  Eigen::Vector3d root = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
-  const double smallest = 1e-9;
-  Eigen::Vector3d inv;
-  for (int i = 0; i < 3; ++i) inv(i) = root(i) > smallest ? 1.0 / root(i) : 0.0;
-  const Eigen::Matrix3d half = solver.eigenvectors() * root.asDiagonal();  // H = half half^T
-  const Eigen::Matrix3d unhalf = solver.eigenvectors() * inv.asDiagonal();
-  Eigen::Matrix3d whitened = unhalf.transpose() * normal.scatter * unhalf;
-  const double mean = whitened.trace() / 3.0;
-  if (kMode == 1) whitened = mean * Eigen::Matrix3d::Identity();
-  if (kMode == 2) whitened += kRel * mean * Eigen::Matrix3d::Identity();
-  whitened += kFloor * Eigen::Matrix3d::Identity();
-  return half * (kInfl * whitened).inverse() * half.transpose();
+  const Eigen::Vector3d root = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  constexpr double kTiny = 1e-9;
+  const Eigen::Vector3d inverse_root =
+      (root.array() > kTiny).select(root.cwiseMax(kTiny).cwiseInverse(), 0.0);
+  const Eigen::Matrix3d B = solver.eigenvectors() * root.asDiagonal();
+  const Eigen::Matrix3d B_inverse = solver.eigenvectors() * inverse_root.asDiagonal();
+  const Eigen::Matrix3d whitened = B_inverse.transpose() * normal.scatter * B_inverse +
+                                   kLeastScatter_m3 * Eigen::Matrix3d::Identity();
+  return B * whitened.inverse() * B.transpose();
 }
 
 }  // namespace setsquare
