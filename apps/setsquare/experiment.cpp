@@ -10,6 +10,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <vector>
 
 #include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/subcommands.hpp"
@@ -64,12 +65,10 @@ void add_experiment(CLI::App& application) {
   CLI::App* paper = experiment->add_subcommand(
       "paper", "The experiments of Bando, Tsubouchi and Yuta 2014, theirs beside ours");
   paper->add_option("-o,--output", options->output_path, "Directory for the results")->required();
-  std::string names;
-  for (const std::string& name : experiments::paper_section_names()) {
-    names += (names.empty() ? "" : ", ") + name;
-  }
-  paper->add_option("--only", options->params.sections, "Only these sections, of " + names)
-      ->delimiter(',');
+  const std::vector<std::string>& names = experiments::paper_section_names();
+  paper->add_option("--only", options->params.sections, "Only these sections, parted by commas")
+      ->delimiter(',')
+      ->check(CLI::IsMember(names));
   paper->add_option("--threads", options->params.num_threads, "Threads; as many as cores if absent")
       ->check(CLI::Range(1, 256));
   paper->add_flag("--quick", options->params.is_quick, "A few seeds of everything");

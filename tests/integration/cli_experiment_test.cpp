@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "tests/integration/run_setsquare.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::CommandOutcome;
+using testing::content_of;
+using ::testing::HasSubstr;
+using testing::run_setsquare;
+using testing::TemporaryFolder;
+
+/// A file without its times.
+std::string without_timing(const std::filesystem::path& path) {
+  const std::string text = content_of(path);
+  return text.substr(0, text.find("\"timing\""));
+}
+
+TEST(CommandExperiment, WritesThePageAndTheSameNumbersForAnyNumberOfThreads) {
+  const TemporaryFolder folder;
+  const auto run = [&](const std::string& name, const std::string& options) {
+    const auto out = folder.path() / name;
+    const CommandOutcome outcome = run_setsquare("experiment paper --quick --only honesty -o '" +
+                                                 out.string() + "' " + options);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_THAT(outcome.out, HasSubstr("paper.html"));
+    EXPECT_THAT(content_of(out / "paper.html"), HasSubstr("<h2>Where the scans do not tell</h2>"));
+    return without_timing(out / "paper.json");
+  };
+  const std::string alone = run("a/b", "--threads 1");
+  EXPECT_THAT(alone, HasSubstr("\"bare corridor\""));
+  EXPECT_EQ(run("c", "--threads 3"), alone);
+}
+
+TEST(CommandExperiment, RefusesASectionThatThereIsNot) {
+  const TemporaryFolder folder;
+  const auto out = folder.path() / "out";
+  const CommandOutcome outcome =
+      run_setsquare("experiment paper --only section_6 -o '" + out.string() + "'");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("section_6"));
+  EXPECT_FALSE(std::filesystem::exists(out));
+}
+
+TEST(CommandExperiment, TellsWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  const std::string file = folder.write("file", "");
+  const CommandOutcome outcome = run_setsquare("experiment paper --only honesty -o " + file);
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("file"));
+}
+
+}  // namespace
+}  // namespace setsquare
