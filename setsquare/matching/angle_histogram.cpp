@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/matching/approximate_bearing.hpp"
 #include "setsquare/matching/lanes.hpp"
 
 namespace setsquare {
@@ -13,17 +14,6 @@ namespace {
 
 constexpr int kNumBins = AngleHistogram::kNumBins;
 constexpr int kSeparationBins = 2;
-
-/// Arc tangent within 0.005 rad: a hundredth of what the bins' width needs would be wasted.
-float approximate_bearing(float y, float x) {
-  const float ax = std::abs(x);
-  const float ay = std::abs(y);
-  const float ratio = std::min(ax, ay) / (std::max(ax, ay) + 1e-12F);
-  const float octant = ratio * (1.0584F - ratio * 0.273F);
-  const float quadrant = ay > ax ? 1.57079633F - octant : octant;
-  const float half = x < 0.0F ? 3.14159265F - quadrant : quadrant;
-  return y < 0.0F ? -half : half;
-}
 
 std::array<float, kNumBins> smooth(const std::array<float, kNumBins>& raw) {
   constexpr int kReach = 1;

@@ -12,12 +12,13 @@
 #include "setsquare/matching/match_verdict.hpp"
 #include "setsquare/matching/projected_profile.hpp"
 #include "setsquare/matching/refinement.hpp"
+#include "setsquare/matching/sweep_refinement.hpp"
 #include "setsquare/matching/zncc.hpp"
 
 namespace setsquare {
 namespace {
 
-constexpr std::array kFinalTolerances_m{0.2, 0.15, 0.1, 0.1, 0.1};
+constexpr std::array kFinalTolerances_m{0.2, 0.15, 0.1};
 constexpr double kFinalTolerance_m = 0.1;
 
 /// Direction of the reference's walls modulo 90 deg, to a bin: good enough for a profile.
@@ -95,15 +96,17 @@ MatchResult answer(const PreparedScan& reference,
     return result;
   }
   const Candidate& best = candidates.front();
-  const AlignedScan dense_reference = reference.dense_alignment();
-  const AlignedScan dense_current = current.dense_alignment();
-  const Pose2 T =
-      refine(dense_reference, dense_current, best.T_reference_current, kFinalTolerances_m);
-  const MatchNormal normal = match_normal(dense_reference, dense_current, T, kFinalTolerance_m);
+  const Pose2 T_rigid = refine(reference.dense_alignment(),
+                               current.dense_alignment(),
+                               best.T_reference_current,
+                               kFinalTolerances_m);
+  const SweepRefinement refined =
+      refine_with_turns(reference.swept(), current.swept(), T_rigid, kFinalTolerance_m);
+  const Pose2& T = refined.T_reference_current;
   const TwoWayEvidence two_way = two_way_evidence(reference, current, T);
 
   result.T_reference_current = T;
-  result.information = match_information(normal);
+  result.information = match_information(refined.normal);
   const AxisZncc axes = axis_zncc(reference, current, T);
   result.zncc_x = axes.x;
   result.zncc_y = axes.y;
@@ -117,7 +120,7 @@ MatchResult answer(const PreparedScan& reference,
   const VerdictEvidence evidence{
       .candidates = candidates,
       .runner_up_score = result.runner_up ? result.runner_up->score : 0.0,
-      .constraint = wall_constraint(normal.hessian),
+      .constraint = wall_constraint(refined.pose_hessian),
       .two_way = two_way,
       .distinct_wall_m = distinct_wall_m(reference.fine_alignment(), current.fine_alignment(), T)};
   result.status = verdict(evidence, params.answer);

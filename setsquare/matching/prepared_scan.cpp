@@ -20,6 +20,10 @@ PreparedScan prepare(const Scan& scan, const SurfaceParams& params) {
                                  direction_balanced_weights(prepared.points, prepared.histogram),
                                  kMaxFineSamples);
   prepared.dense = sample_surface(prepared.points, kMaxDenseSamples);
+  const double last_beam = scan.num_beams() > 0 ? static_cast<double>(scan.num_beams() - 1) : 0.0;
+  prepared.middle_rad =
+      wrap_to_pi(scan.first_bearing_rad + 0.5 * last_beam * scan.bearing_step_rad);
+  prepared.dense_from_middle_rad = bearings_from(prepared.middle_rad, prepared.dense);
   return prepared;
 }
 

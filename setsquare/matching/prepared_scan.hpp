@@ -7,6 +7,7 @@
 #include "setsquare/matching/surface_image.hpp"
 #include "setsquare/matching/surface_points.hpp"
 #include "setsquare/matching/surface_samples.hpp"
+#include "setsquare/matching/sweep_normal.hpp"
 
 namespace setsquare {
 
@@ -17,11 +18,16 @@ struct PreparedScan {
   SurfaceSamples coarse;  ///< A few dozen samples: proposals live or die on them.
   SurfaceSamples fine;    ///< A few hundred, by weights that favour rare directions: the verdict.
   SurfaceSamples dense;   ///< As many as pay, by length of wall: the pose's last digits.
+  std::vector<float> dense_from_middle_rad;  ///< Bearings of `dense` from the sweep's middle.
+  double middle_rad = 0.0;                   ///< Bearing of the sweep's middle.
   AngleHistogram histogram;
 
   [[nodiscard]] AlignedScan coarse_alignment() const { return {image, coarse}; }
   [[nodiscard]] AlignedScan fine_alignment() const { return {image, fine}; }
   [[nodiscard]] AlignedScan dense_alignment() const { return {image, dense}; }
+  [[nodiscard]] SweptScan swept() const {
+    return {image, dense, dense_from_middle_rad, middle_rad};
+  }
 };
 
 /// Throws ParameterError where the scan's geometry is no scan's (Scan::validate).
