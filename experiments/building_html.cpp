@@ -66,7 +66,10 @@ Series bin_series(const std::string& name, const std::array<Tally, 10>& bins, Bi
 std::string overlap_charts(const BuildingSummary& all) {
   const auto success = [](const Tally& tally) { return 100.0 * tally.success_share(); };
   const auto matched = [](const Tally& tally) { return 100.0 * tally.matched_share(); };
-  const auto wrong = [](const Tally& tally) { return 100.0 * tally.wrong_share(); };
+  const auto wrong = [](const Tally& tally) {
+    return tally.num_matched >= 10 ? 100.0 * tally.wrong_share()
+                                   : std::numeric_limits<double>::quiet_NaN();
+  };
   const auto error = [](const Tally& tally) { return 1000.0 * tally.success_error_m.mean(); };
   const std::vector<Series> right = {
       bin_series("default, pose right", all.ours.by_overlap, success),
@@ -159,7 +162,9 @@ std::string building_html(const BuildingStudy& study) {
       class_table(summaries,
                   &BuildingSummary::paper,
                   "The paper's method ('matched' above its threshold; it gives no covariance)"));
-  html += figure(overlap_charts(all), "Against overlap, all classes; bins of at least 10 pairs.");
+  html += figure(overlap_charts(all),
+                 "Against overlap, all classes; bins of at least 10 pairs (of 10 matched, where it "
+                 "is about those).");
   html += listing("Wrong answers of the default matcher", lists.wrong);
   html += listing("Determined pairs of at least 45 % overlap that it misses", lists.failures);
   html +=
