@@ -89,9 +89,7 @@ std::string paper_html(const PaperExperiment& experiment) {
         hallway_html(*experiment.hallways));
   }
   if (experiment.buildings) {
-    add("buildings",
-        "Pairs of scans in two hundred buildings",
-        building_html(*experiment.buildings));
+    add("buildings", "Pairs of scans in many buildings", building_html(*experiment.buildings));
   }
   if (experiment.factors) {
     add("factors", "One factor at a time", factor_html(*experiment.factors));
