@@ -70,6 +70,20 @@ std::optional<RunnerUp> runner_up(std::span<const Candidate> candidates,
   return std::nullopt;
 }
 
+/// Names the direction that the walls leave free, or, in a round hall, none: there it is the
+/// rotation; and takes it out of the information.
+void forget_what_is_not_held(const WallConstraint& constraint,
+                             const AnswerParams& params,
+                             MatchResult& result) {
+  Eigen::Vector3d free = Eigen::Vector3d::UnitZ();
+  if (constraint.turning_m3 >= params.min_turning_m3) {
+    const double direction_rad = constraint.weakest_direction_rad;
+    result.degenerate_direction_rad = direction_rad;
+    free = {std::cos(direction_rad), std::sin(direction_rad), 0.0};
+  }
+  result.information = without_direction(result.information, free);
+}
+
 }  // namespace
 
 AxisZncc axis_zncc(const PreparedScan& reference,
@@ -124,9 +138,8 @@ MatchResult answer(const PreparedScan& reference,
       .two_way = two_way,
       .distinct_wall_m = distinct_wall_m(reference.fine_alignment(), current.fine_alignment(), T)};
   result.status = verdict(evidence, params.answer);
-  if (result.status == MatchStatus::kDegenerate &&
-      evidence.constraint.weakest_m < params.answer.min_constraint_m) {
-    result.degenerate_direction_rad = evidence.constraint.weakest_direction_rad;
+  if (result.status == MatchStatus::kDegenerate) {
+    forget_what_is_not_held(evidence.constraint, params.answer, result);
   }
   return result;
 }

@@ -24,4 +24,12 @@ Eigen::Matrix3d match_information(const MatchNormal& normal) {
   return B * whitened.inverse() * B.transpose();
 }
 
+Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information,
+                                  const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d bound = information * direction;
+  const double along = direction.dot(bound);
+  if (!(along > 0.0)) return information;
+  return information - bound * bound.transpose() / along;
+}
+
 }  // namespace setsquare

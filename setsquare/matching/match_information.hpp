@@ -17,4 +17,9 @@ struct MatchNormal {
 /// is.
 [[nodiscard]] Eigen::Matrix3d match_information(const MatchNormal& normal);
 
+/// The information that is left when nothing is known of the motion along `direction`, a vector in
+/// (x, y, theta): exactly singular along it.
+[[nodiscard]] Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information,
+                                                const Eigen::Vector3d& direction);
+
 }  // namespace setsquare

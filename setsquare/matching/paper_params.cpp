@@ -14,6 +14,9 @@ void PaperParams::validate() const {
   }
   direction().validate();
   shifts().validate(bins());
+  if (!(max_rotation_rad >= 0.25 * kPi && max_rotation_rad <= kPi)) {
+    throw ParameterError("max_rotation_rad", "must lie between an eighth and half of a turn");
+  }
   if (!(min_zncc_product >= 0.0 && min_zncc_product < 1.0)) {
     throw ParameterError("min_zncc_product", "must lie in [0, 1)");
   }

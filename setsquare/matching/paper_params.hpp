@@ -19,6 +19,9 @@ struct PaperParams {
   DirectionMoment moment = DirectionMoment::kNeighbourDifferences;
   double max_shift_m = 2.5;         ///< lambda_max, section 5.1.
   double shift_step_m = 0.005;      ///< Delta lambda, section 5.1.
+  /// Offsets of Algorithm 3 that turn the current scan by more (eq. (8), either way) are not tried.
+  /// Half a turn is the method as printed, which tries all four.
+  double max_rotation_rad = kPi;
   double min_zncc_product = 0.25;   ///< Of both axes; success lies above it.
   std::int32_t min_num_points = 2;  ///< Thinned points below which there is nothing to match.
 

@@ -10,6 +10,9 @@
 namespace setsquare {
 namespace {
 
+/// Far below the lattice of directions: at a limit of 45 deg some offset always passes.
+constexpr double kAngleRounding_rad = 1e-9;
+
 /// Coordinates of a scan along both axes once its theta is raised by an offset.
 struct TurnedCoordinates {
   std::vector<double> x_m;
@@ -19,6 +22,10 @@ struct TurnedCoordinates {
 std::vector<double> negated(std::vector<double> values) {
   for (double& value : values) value = -value;
   return values;
+}
+
+double theta_at_offset(const ProjectedScan& scan, std::size_t offset) {
+  return scan.theta_rad + static_cast<double>(offset) * 0.5 * kPi;
 }
 
 /// Eq. (4) at theta + 90 deg of x' is y', and of y' is -x'.
@@ -79,11 +86,15 @@ ProjectedScan project_scan(const PointSet& points, double theta_rad, const Profi
 std::optional<RelativePose> relative_pose(const ProjectedScan& reference,
                                           const ProjectedScan& current,
                                           const ShiftSearch& search,
+                                          double max_rotation_rad,
                                           RelativePoseTrace* trace) {
   RelativePoseTrace searches;
   std::int64_t best_product = 0;  // E_max of Algorithm 3.
   std::size_t best = 0;
   for (std::size_t offset = 0; offset < searches.size(); ++offset) {
+    const double rotation_rad =
+        wrap_to_pi(theta_at_offset(current, offset) - reference.theta_rad);  // Eq. (8)
+    if (std::abs(rotation_rad) > max_rotation_rad + kAngleRounding_rad) continue;
     const TurnedCoordinates turned = turned_by_offset(current, offset);
     searches[offset].x = search_axis(reference.profile_x, turned.x_m, search);
     searches[offset].y = search_axis(reference.profile_y, turned.y_m, search);
@@ -96,7 +107,7 @@ std::optional<RelativePose> relative_pose(const ProjectedScan& reference,
   if (best_product > 0) {
     const double shift_x_m = search.shift_m(searches[best].x.peak);
     const double shift_y_m = search.shift_m(searches[best].y.peak);
-    const double theta_current_rad = current.theta_rad + static_cast<double>(best) * 0.5 * kPi;
+    const double theta_current_rad = theta_at_offset(current, best);
     const TurnedCoordinates turned = turned_by_offset(current, best);
     result = {pose_from_shifts(reference.theta_rad, theta_current_rad, shift_x_m, shift_y_m),
               best,

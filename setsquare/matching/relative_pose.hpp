@@ -31,10 +31,14 @@ struct ProjectedScan {
 
 /// One axis' search at one offset.
 struct AxisSearch {
-  std::vector<std::int32_t> correlation;  ///< Eq. (10), one a lag from -max_lag() to max_lag().
-  std::size_t peak = 0;                   ///< Index of the chosen lag.
+  /// Eq. (10), one a lag from -max_lag() to max_lag(); empty where the offset was not tried.
+  std::vector<std::int32_t> correlation;
+  std::size_t peak = 0;  ///< Index of the chosen lag.
 
-  [[nodiscard]] std::int32_t peak_value() const { return correlation[peak]; }
+  /// 0 where the offset was not tried.
+  [[nodiscard]] std::int32_t peak_value() const {
+    return correlation.empty() ? 0 : correlation[peak];
+  }
 };
 
 /// What Algorithm 3 saw at theta_offset = offset * 90 deg.
@@ -62,10 +66,13 @@ using RelativePoseTrace = std::array<OffsetSearch, 4>;
 /// GetRelativePose of the paper, Algorithm 3: (1) for each offset of 0, 90, 180 and 270 deg
 /// correlate the profiles along x' and along y' for every shift, eqs. (9) and (10); (2) keep the
 /// offset whose two largest correlations have the largest product; (3) turn the two shifts into
-/// the reference's frame, eq. (8). Nothing where no offset correlates on both axes.
+/// the reference's frame, eq. (8). Offsets whose rotation exceeds `max_rotation_rad` either way are
+/// not tried; at half a turn, as in the paper, all are. Nothing where no offset correlates on both
+/// axes.
 [[nodiscard]] std::optional<RelativePose> relative_pose(const ProjectedScan& reference,
                                                         const ProjectedScan& current,
                                                         const ShiftSearch& search,
+                                                        double max_rotation_rad = kPi,
                                                         RelativePoseTrace* trace = nullptr);
 
 }  // namespace setsquare
