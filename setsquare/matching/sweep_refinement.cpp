@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kNumSteps = 3;
 /// Standard deviation of a turn, before the scans are seen.
-constexpr double kTurnSigma = 0.004;
+constexpr double kTurnSigma = 0.002;
 /// Variance of a distance times the length of wall over which it stays: what the prior is worth
 /// against a metre of wall.
 constexpr double kWallVariance_m3 = 2.5e-5;

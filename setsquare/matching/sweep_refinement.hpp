@@ -16,7 +16,7 @@ struct SweepRefinement {
 };
 
 /// A few Gauss-Newton steps, point to line, in pose and turns. The turns are held near zero as a
-/// robot's are (a standard deviation of 0.004); where the walls leave a direction free the pose
+/// robot's are (a standard deviation of 0.002); where the walls leave a direction free the pose
 /// stays put along it.
 [[nodiscard]] SweepRefinement refine_with_turns(const SweptScan& reference,
                                                 const SweptScan& current,
