@@ -18,9 +18,10 @@ Eigen::Matrix3d match_information(const MatchNormal& normal) {
   const Eigen::Vector3d inverse_root =
       (root.array() > kTiny).select(root.cwiseMax(kTiny).cwiseInverse(), 0.0);
   const Eigen::Matrix3d B = solver.eigenvectors() * root.asDiagonal();
-  const Eigen::Matrix3d B_inverse = solver.eigenvectors() * inverse_root.asDiagonal();
-  const Eigen::Matrix3d whitened = B_inverse.transpose() * normal.scatter * B_inverse +
-                                   kLeastScatter_m3 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d B_inverse_transpose = solver.eigenvectors() * inverse_root.asDiagonal();
+  const Eigen::Matrix3d whitened =
+      B_inverse_transpose.transpose() * normal.scatter * B_inverse_transpose +
+      kLeastScatter_m3 * Eigen::Matrix3d::Identity();
   return B * whitened.inverse() * B.transpose();
 }
 

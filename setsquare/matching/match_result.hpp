@@ -32,8 +32,8 @@ struct RunnerUp {
   double score = 0.0;
 };
 
-/// The answer of a match, with its evidence. Poses are those of the sensors: p_reference =
-/// T_reference_current * p_current.
+/// The answer of a match, with its evidence. Poses are those of the sensors at the middles of their
+/// sweeps: p_reference = T_reference_current * p_current.
 struct MatchResult {
   MatchStatus status = MatchStatus::kTooFewPoints;
   /// The best proposal whatever the status; nothing where there is none.

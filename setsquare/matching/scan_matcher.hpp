@@ -17,7 +17,8 @@ namespace setsquare {
 /// 1. Propose: rotations under which the walls face the same ways, and for each every translation
 ///    of a window, correlated at once (CorrelationGrid).
 /// 2. Verify in 2-D, both ways: agreement on surfaces, contradictions in free space.
-/// 3. Refine the survivors point to line.
+/// 3. Refine the survivors point to line; the answer together with how the robot turned while the
+///    sensor swept.
 /// 4. Where nothing stands alone, search again over every rotation of the circle.
 /// 5. Answer with evidence: status, information, runner-up.
 ///
