@@ -120,7 +120,7 @@ TEST(PaperMatcher, TraceShowsWhatAlgorithm3Chose) {
   const auto prepared_reference = prepare_paper(reference).projected;
   const auto prepared_current = prepare_paper(current).projected;
   RelativePoseTrace trace;
-  const auto pose = relative_pose(prepared_reference, prepared_current, ShiftSearch{}, &trace);
+  const auto pose = relative_pose(prepared_reference, prepared_current, ShiftSearch{}, kPi, &trace);
   ASSERT_TRUE(pose.has_value());
   for (const OffsetSearch& offset : trace) {
     EXPECT_EQ(offset.x.correlation.size(), 1001U);
@@ -132,6 +132,33 @@ TEST(PaperMatcher, TraceShowsWhatAlgorithm3Chose) {
   const double shift_y_m = ShiftSearch{}.shift_m(trace[pose->offset].y.peak);
   EXPECT_NEAR(
       std::hypot(shift_x_m, shift_y_m), pose->T_reference_current.translation().norm(), 1e-9);
+}
+
+TEST(PaperMatcher, AnOffsetBeyondTheLimitIsNotChosen) {
+  const Pose2 T_world_reference{2.0, 2.5, 0.1};
+  const auto reference =
+      prepare_paper(scan_of_walls(l_shaped_room(), T_world_reference, kFullTurn));
+  for (const double turn_deg : {-170.0, -92.0, -20.0, 0.0, 30.0, 80.0, 175.0}) {
+    SCOPED_TRACE(turn_deg);
+    const Pose2 T_reference_current{0.3, -0.2, rad_from_deg(turn_deg)};
+    const auto current = prepare_paper(
+        scan_of_walls(l_shaped_room(), T_world_reference * T_reference_current, kFullTurn));
+    RelativePoseTrace trace;
+    const MatchResult literal = match_paper(reference, current);
+    const MatchResult limited =
+        match_paper(reference, current, {.max_rotation_rad = rad_from_deg(45.0)}, &trace);
+    ASSERT_TRUE(limited.T_reference_current.has_value());
+    EXPECT_NEAR(limited.T_reference_current->theta_rad,
+                wrap_to_period(literal.T_reference_current->theta_rad, 0.5 * kPi),
+                1e-9);
+    int num_tried = 0;
+    for (const OffsetSearch& offset : trace) num_tried += offset.product() > 0;
+    EXPECT_EQ(num_tried, 1);
+    if (std::abs(turn_deg) < 45.0) {
+      EXPECT_EQ(limited.T_reference_current, literal.T_reference_current);
+      EXPECT_EQ(limited.score, literal.score);
+    }
+  }
 }
 
 TEST(PaperMatcher, RejectsRoomsThatHaveNothingInCommon) {
@@ -183,6 +210,8 @@ TEST(PaperParams, NamesTheFieldThatIsOutsideItsDomain) {
   EXPECT_THAT(complaint({.bin_width_m = 0.03}), ::testing::HasSubstr("bin_width_m"));
   EXPECT_THAT(complaint({.max_shift_m = -1.0}), ::testing::HasSubstr("max_shift_m"));
   EXPECT_THAT(complaint({.shift_step_m = 0.03}), ::testing::HasSubstr("shift_step_m"));
+  EXPECT_THAT(complaint({.max_rotation_rad = 0.5}), ::testing::HasSubstr("max_rotation_rad"));
+  EXPECT_THAT(complaint({.max_rotation_rad = 4.0}), ::testing::HasSubstr("max_rotation_rad"));
   EXPECT_THAT(complaint({.min_zncc_product = 1.0}), ::testing::HasSubstr("min_zncc_product"));
   EXPECT_THAT(complaint({.min_num_points = 0}), ::testing::HasSubstr("min_num_points"));
 }
