@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iostream>
 #include <vector>
 
 #include "setsquare/matching/candidate.hpp"
@@ -63,8 +64,9 @@ ScoredPose match_exhaustively(const PreparedScan& reference, const PreparedScan&
 }
 
 TEST(ExhaustiveMatch, FindsNothingBetterThanTheSearch) {
-  int num_compared = 0;
-  int num_outdone = 0;
+  int num_found = 0;    // The same pose by both.
+  int num_missed = 0;   // The search's score is lower by more than its last step.
+  int num_outdone = 0;  // `matched` where another pose scores higher.
   auto generator = testing::make_generator();
   const testing::Fan fan{121, rad_from_deg(-120), rad_from_deg(2)};
   for (int trial = 0; trial < 8; ++trial) {
@@ -79,18 +81,20 @@ TEST(ExhaustiveMatch, FindsNothingBetterThanTheSearch) {
     const MatchResult found = match(reference, current);
     const ScoredPose best = match_exhaustively(reference, current);
     ASSERT_TRUE(found.T_reference_current.has_value());
-    // The searched scores stop a step short of their peaks.
-    EXPECT_GT(found.score, best.score - 0.04);
     const auto& T = *found.T_reference_current;
+    if (are_same(T, best.T_reference_current, {})) {
+      ++num_found;
+      continue;
+    }
+    // The searched scores stop a step short of their peaks.
+    num_missed += found.score < best.score - 0.04;
     const bool is_within_reach = std::max(std::abs(T.x_m), std::abs(T.y_m)) < kReach_m;
-    if (found.status != MatchStatus::kMatched || !is_within_reach) continue;
-    ++num_compared;
-    num_outdone += !are_same(T, best.T_reference_current, {});
+    num_outdone += found.status == MatchStatus::kMatched && is_within_reach;
   }
-  // The quick search looks at six rotations only: one low answer in some fifty has a rival, as high
-  // within the tolerance above, that it did not see.
-  EXPECT_GT(num_compared, 0);
-  EXPECT_LE(num_outdone, 1);
+  std::cout << num_found << " alike, " << num_missed << " missed, " << num_outdone << " outdone\n";
+  EXPECT_GE(num_found, 4);
+  EXPECT_LE(num_missed, 2);  // Low scores of scans that share little, none of them `matched`.
+  EXPECT_EQ(num_outdone, 0);
 }
 
 }  // namespace

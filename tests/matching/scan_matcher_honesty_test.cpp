@@ -103,7 +103,12 @@ TEST(HonestMatch, ARoundRoomTellsNoHeading) {
           uniform(generator, -1, 1), uniform(generator, -1, 1), uniform(generator, -3, 3)};
       return scan_of_walls(room, T, kFullTurn, 0.01, seed);
     };
-    EXPECT_NE(match(scan(1), scan(2)).status, MatchStatus::kMatched);
+    // The rotation is what nothing holds, so no direction is told.
+    const MatchResult result = match(scan(1), scan(2));
+    EXPECT_TRUE(result.status == MatchStatus::kDegenerate ||
+                result.status == MatchStatus::kAmbiguous)
+        << to_string(result.status);
+    EXPECT_FALSE(result.degenerate_direction_rad.has_value());
   }
 }
 
@@ -137,6 +142,27 @@ TEST(HonestMatch, AnEmptyRectangleAllowsTheHalfTurn) {
   }
 }
 
+// Three long walls have one pose in this room and fit many another: whether that stands as a match
+// may be judged either way, but the pose is right.
+TEST(HonestMatch, ABareTriangleIsFoundOrAmbiguous) {
+  const auto room = testing::closed_polygon({{-3, -2}, {4, -1}, {0.5, 5}});
+  auto generator = testing::make_generator();
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto pose = [&] {
+      return Pose2{
+          uniform(generator, -0.5, 1.0), uniform(generator, -0.5, 1.5), uniform(generator, -3, 3)};
+    };
+    const Pose2 T_world_reference = pose();
+    const Pose2 T_world_current = pose();
+    const MatchResult result = match(scan_of_walls(room, T_world_reference, kFullTurn, 0.01, 1),
+                                     scan_of_walls(room, T_world_current, kFullTurn, 0.01, 2));
+    EXPECT_TRUE(result.status == MatchStatus::kMatched || result.status == MatchStatus::kAmbiguous)
+        << to_string(result.status);
+    EXPECT_THAT(*result.T_reference_current,
+                PoseNear(T_world_reference.inverse() * T_world_current, kNear));
+  }
+}
+
 /// A wall with a pilaster every two metres, that the sensor sees from one side.
 std::vector<testing::Wall> row_of_pilasters() {
   constexpr double kDepth_m = 0.25;
@@ -152,12 +178,9 @@ std::vector<testing::Wall> row_of_pilasters() {
   return walls;
 }
 
-// Half way between two answers. The status is still `matched` in one such pair of six, for the far
-// ends of the row, seen at a grazing angle, favour either: what is promised is that the twin is
-// told.
+// Half way between two answers: neither stands, and the twin is told.
 TEST(HonestMatch, ATwinInARowIsTheRunnerUp) {
   auto generator = testing::make_generator();
-  int num_ambiguous = 0;
   for (int trial = 0; trial < 20; ++trial) {
     const double x_m = uniform(generator, -1.0, 1.0);
     const double sign = trial % 2 == 0 ? 1.0 : -1.0;
@@ -166,10 +189,10 @@ TEST(HonestMatch, ATwinInARowIsTheRunnerUp) {
     const MatchResult result =
         match(scan_of_walls(row_of_pilasters(), T_world_reference, kHalfTurn, 0.01, 1),
               scan_of_walls(row_of_pilasters(), T_world_current, kHalfTurn, 0.01, 2));
-    num_ambiguous += result.status == MatchStatus::kAmbiguous;
+    EXPECT_EQ(result.status, MatchStatus::kAmbiguous) << to_string(result.status);
     ASSERT_TRUE(result.T_reference_current.has_value());
     ASSERT_TRUE(result.runner_up.has_value());
-    EXPECT_GT(result.runner_up->score, 0.75 * result.score);
+    EXPECT_GT(result.runner_up->score, 0.7 * result.score);
     // Whichever the answer and the runner-up chose, they are two of the row.
     const Pose2 T_world_found = T_world_reference * *result.T_reference_current;
     const Pose2 T_world_other = T_world_reference * result.runner_up->T_reference_current;
@@ -179,7 +202,6 @@ TEST(HonestMatch, ATwinInARowIsTheRunnerUp) {
     }
     EXPECT_GT(std::abs(T_world_other.x_m - T_world_found.x_m), 1.5);
   }
-  EXPECT_GE(num_ambiguous, 10);
 }
 
 TEST(HonestMatch, ARegularHexagonIsNotMatchedToAnyOfItsTurns) {
@@ -209,7 +231,7 @@ TEST(HonestMatch, RoomsThatHaveNothingInCommonAreSeldomMatched) {
     num_matched += match(scan(), scan()).status == MatchStatus::kMatched;
   }
   std::cout << "different rooms matched: " << num_matched << " of " << kNumTrials << "\n";
-  EXPECT_LE(num_matched, kNumTrials * 6 / 100);
+  EXPECT_LE(num_matched, kNumTrials * 2 / 100);
 }
 
 }  // namespace

@@ -45,8 +45,15 @@ struct Place {
 
 void PrintTo(const Place& place, std::ostream* out) { *out << place.name; }
 
+/// Three walls alone fit many a corner (a bare triangle is tried in scan_matcher_honesty_test), so
+/// two boxes stand in it.
 std::vector<testing::Wall> triangular_room() {
-  return testing::closed_polygon({{-3, -2}, {4, -1}, {0.5, 5}});
+  auto walls = testing::closed_polygon({{-3, -2}, {4, -1}, {0.5, 5}});
+  for (const auto& box : {testing::closed_polygon({{1.8, -1}, {2.6, -0.8}, {2.4, 0}, {1.6, -0.2}}),
+                          testing::closed_polygon({{-1.9, -1}, {-1, -1.4}, {-0.7, -0.7}})}) {
+    walls.insert(walls.end(), box.begin(), box.end());
+  }
+  return walls;
 }
 
 std::vector<Place> places() {

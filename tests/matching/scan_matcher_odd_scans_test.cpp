@@ -39,7 +39,8 @@ void expect_sound(const MatchResult& result) {
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 1.0 + 1e-6);
   }
-  EXPECT_EQ(result.degenerate_direction_rad.has_value(), result.status == MatchStatus::kDegenerate);
+  // A degenerate answer may lack the direction: where it is the rotation that nothing holds.
+  EXPECT_TRUE(result.status == MatchStatus::kDegenerate || !result.degenerate_direction_rad);
   ASSERT_TRUE(result.information.allFinite());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(result.information);
   EXPECT_GE(solver.eigenvalues()(0), -1e-5 * (1.0 + solver.eigenvalues()(2)));

@@ -74,17 +74,17 @@ Tally match_random_pairs(const testing::Fan& fan, double min_overlap, int num_pa
   return tally;
 }
 
-// Bounds for any seed; the figures of ten seeds: 149 to 150 of 150 tight, none wrong.
+// Bounds for any seed; the figures of ten seeds are beside them.
 TEST(RandomRooms, ScansThatShareMostOfWhatTheySeeAreMatched) {
   const testing::Fan full_turn{720, rad_from_deg(-180), rad_from_deg(0.5)};
   const Tally tally = match_random_pairs(full_turn, 0.6, 150);
   tell("full turn, overlap >= 60 %", tally);
   EXPECT_GE(tally.num_tight, 147);
-  EXPECT_GE(tally.num_matched, 140);
+  EXPECT_GE(tally.num_matched, 145);
   EXPECT_EQ(tally.num_wrong, 0);
-  // The information claims no more than is true, nor next to nothing.
-  EXPECT_LT(tally.mean_nees(), 3.0);
-  EXPECT_GT(tally.mean_nees(), 0.1);
+  // The information claims what is true: 3 on average.
+  EXPECT_LT(tally.mean_nees(), 5.0);
+  EXPECT_GT(tally.mean_nees(), 1.2);
 }
 
 TEST(RandomRooms, HalfTurnScansThatShareMostAreMatched) {
@@ -92,8 +92,19 @@ TEST(RandomRooms, HalfTurnScansThatShareMostAreMatched) {
   const Tally tally = match_random_pairs(half_turn, 0.6, 100);
   tell("half turn, overlap >= 60 %", tally);
   EXPECT_GE(tally.num_tight, 96);
-  EXPECT_GE(tally.num_matched, 93);
-  EXPECT_LE(tally.num_wrong, 2);  // Corners of a rectangle that look like another of its corners.
+  // A corner of a rectangle looks like another of its corners: where that explains 70 % as much,
+  // a right answer does not stand either.
+  EXPECT_GE(tally.num_matched, 55);
+  EXPECT_LE(tally.num_wrong, 1);
+  EXPECT_LT(tally.mean_nees(), 5.0);
+  EXPECT_GT(tally.mean_nees(), 1.2);
+}
+
+TEST(RandomRooms, HalfTurnScansThatHardlyOverlapAreSeldomMatchedWrongly) {
+  const testing::Fan half_turn{361, rad_from_deg(-90), rad_from_deg(0.5)};
+  const Tally tally = match_random_pairs(half_turn, 0.0, 300);
+  tell("half turn, any overlap", tally);
+  EXPECT_LE(tally.num_wrong, 9);
 }
 
 }  // namespace
