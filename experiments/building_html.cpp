@@ -23,7 +23,8 @@ std::vector<Cell> class_row(const BuildingSummary& summary, const MatcherSummary
           {percent(matcher.all.wrong_share(), 3)},
           {number(matcher.determined.success_error_m.mean(), 4)},
           {number(to_deg * matcher.determined.success_error_rad.mean(), 3)},
-          {number(matcher.all.nees.mean(), 2)},
+          {number(matcher.all.right_nees.mean(), 2)},
+          {percent(matcher.all.right_nees_inside_share(), 1)},
           {percent(matcher.all.nees_inside_share(), 1)}};
 }
 
@@ -41,8 +42,9 @@ Table class_table(const std::vector<BuildingSummary>& summaries,
                "of matched",
                "error [m]",
                "error [deg]",
-               "mean NEES",
-               "NEES < 7.81"},
+               "mean NEES (right matched)",
+               "NEES < 7.81 (right matched)",
+               "NEES < 7.81 (all matched)"},
               {}};
   for (const BuildingSummary& summary : summaries) {
     table.rows.push_back(class_row(summary, summary.*matcher));

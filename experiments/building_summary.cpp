@@ -56,8 +56,8 @@ std::string text_row(const BuildingSummary& summary, const MatcherSummary& match
                 100.0 * matcher.all.wrong_share(),
                 matcher.determined.success_error_m.mean(),
                 deg_from_rad(matcher.determined.success_error_rad.mean()),
-                matcher.all.nees.mean(),
-                100.0 * matcher.all.nees_inside_share());
+                matcher.all.right_nees.mean(),
+                100.0 * matcher.all.right_nees_inside_share());
   return line;
 }
 
@@ -124,7 +124,8 @@ PairLists list_pairs(const BuildingStudy& study) {
 
 std::string summary_text(const BuildingStudy& study) {
   std::string text =
-      "d = default matcher, p = paper; success % of the pairs that the plan determines\n"
+      "d = default matcher, p = paper; success % of the pairs that the plan determines; "
+      "NEES of the right matched\n"
       "class         pairs >=45 %   success 30-45 success matched  wrong % of mtd   err m  err deg "
       "  NEES <7.81\n";
   const std::vector<BuildingSummary> summaries = summarise_by_class(study);

@@ -21,8 +21,9 @@ std::string closure_text(const ClosureMedians& medians, std::size_t circuit) {
                  number(medians.norm_m[circuit], 3)});
 }
 
-std::string closure_table(const CircuitStudy& study) {
+Table closure_table(const CircuitStudy& study) {
   const ClosureMedians paper = closure_medians(study, &CircuitRun::paper);
+  const ClosureMedians literal = closure_medians(study, &CircuitRun::paper_literal);
   const ClosureMedians ours = closure_medians(study, &CircuitRun::ours);
   Table table{joined({"Closure errors |x|, |y|; norm in m, median of ",
                       number(study.runs.size()),
@@ -30,7 +31,8 @@ std::string closure_table(const CircuitStudy& study) {
               {"circuit",
                "length here [m]",
                "paper, as stated",
-               "here: --preset paper",
+               "here: --preset paper, literal",
+               "here: --preset paper, in sequence",
                "here: default, scan to scan",
                "full mapper"},
               {}};
@@ -40,11 +42,12 @@ std::string closure_table(const CircuitStudy& study) {
     table.rows.push_back({{circuit.order},
                           {number(circuit.length_m, 1)},
                           {stated[c], "faint"},
+                          {closure_text(literal, c)},
                           {closure_text(paper, c)},
                           {closure_text(ours, c)},
                           {"next release", "faint"}});
   }
-  return table_html(table);
+  return table;
 }
 
 std::vector<Cell> heading_row(const std::string& name,
@@ -75,7 +78,7 @@ std::vector<Cell> heading_row(const std::string& name,
           {number(median(square_slope), 4)}};
 }
 
-std::string heading_table(const CircuitStudy& study) {
+Table heading_table(const CircuitStudy& study) {
   Table table{
       "Heading against the truth in deg, median of the seeds. A wrong turn is a step whose "
       "rotation is off by more than 45 deg; modulo 90 deg such steps do not count: that is what "
@@ -89,8 +92,32 @@ std::string heading_table(const CircuitStudy& study) {
        "at the end: median, worst",
        "|slope| per 100 m"},
       {}};
-  table.rows.push_back(heading_row("here: --preset paper", study, &CircuitRun::paper));
+  table.rows.push_back(
+      heading_row("here: --preset paper, literal", study, &CircuitRun::paper_literal));
+  table.rows.push_back(heading_row("here: --preset paper, in sequence", study, &CircuitRun::paper));
   table.rows.push_back(heading_row("here: default", study, &CircuitRun::ours));
+  return table;
+}
+
+/// The seeds whose track in sequence ends in a wrong heading, and why.
+std::string failing_seeds(const CircuitStudy& study) {
+  const HeadingJudgement judgement = judge_headings(study, &CircuitRun::paper);
+  if (judgement.failing.empty()) {
+    return paragraph("In sequence, every seed's heading ends within 0.5 deg.");
+  }
+  Table table{"In sequence: seeds whose heading is off by more than 0.5 deg at the end",
+              {"seed", "why", "at the end [deg]", "modulo 90 deg"},
+              {}};
+  for (const CircuitRun* run : judgement.failing) {
+    const HeadingErrors& heading = run->paper.heading;
+    const bool is_direction = deg_from_rad(heading.square_end_rad) > kMaxEndHeading_deg;
+    table.rows.push_back({{number(run->seed)},
+                          {is_direction ? "wrong direction of the last scans"
+                                        : joined({number(heading.num_wrong_turns),
+                                                  " wrong quarter turns along the way"})},
+                          {number(deg_from_rad(heading.end_rad), 2)},
+                          {number(deg_from_rad(heading.square_end_rad), 2)}});
+  }
   return table_html(table);
 }
 
@@ -113,7 +140,9 @@ std::string count_table(const CircuitStudy& study) {
       "the last motion (paper: stands still)",
       {"method", "matched", "degenerate", "ambiguous", "unmatched"},
       {}};
-  table.rows.push_back(count_row("here: --preset paper", study, &CircuitRun::paper));
+  table.rows.push_back(
+      count_row("here: --preset paper, literal", study, &CircuitRun::paper_literal));
+  table.rows.push_back(count_row("here: --preset paper, in sequence", study, &CircuitRun::paper));
   table.rows.push_back(count_row("here: default", study, &CircuitRun::ours));
   return table_html(table);
 }
@@ -142,10 +171,11 @@ Series heading_series(const std::string& name, const CircuitRun& run, const Chai
 
 std::string track_charts(const CircuitRun& run) {
   const double length_m = travelled_m(run.truth).back();
-  const std::vector<Series> position = {error_series("--preset paper", run, run.paper),
+  const std::vector<Series> position = {error_series("--preset paper, in sequence", run, run.paper),
                                         error_series("default", run, run.ours)};
-  const std::vector<Series> heading = {heading_series("--preset paper", run, run.paper),
-                                       heading_series("default", run, run.ours)};
+  const std::vector<Series> heading = {
+      heading_series("--preset paper, in sequence", run, run.paper),
+      heading_series("default", run, run.ours)};
   return "<div class=\"charts\">\n" +
          chart_svg({"Position error along the track, seed 1",
                     "travelled [m]",
@@ -175,7 +205,8 @@ std::string seed_table(const CircuitStudy& study) {
                "paper, 2nd",
                "default, 1st",
                "default, 2nd",
-               "paper, heading",
+               "paper, literal, heading",
+               "paper, in sequence, heading",
                "default, heading"},
               {}};
   for (const CircuitRun& run : study.runs) {
@@ -184,6 +215,7 @@ std::string seed_table(const CircuitStudy& study) {
                           {number(run.paper.closure_m[1].norm(), 3)},
                           {number(run.ours.closure_m[0].norm(), 3)},
                           {number(run.ours.closure_m[1].norm(), 3)},
+                          {number(deg_from_rad(run.paper_literal.heading.end_rad), 3)},
                           {number(deg_from_rad(run.paper.heading.end_rad), 3)},
                           {number(deg_from_rad(run.ours.heading.end_rad), 3)}});
   }
@@ -203,22 +235,35 @@ std::string circuit_html(const CircuitStudy& study) {
               "loop is closed, no odometry used; the default matcher's headings are fused with the "
               "directions of the walls. A closure error is the difference between the estimated "
               "and the true relative pose of the end of a circuit, seen from its start."}));
+  html += paragraph(
+      "The paper does not tell how its track chose among Algorithm 3's four offsets. 'Literal' "
+      "lets the largest product decide, as printed for a pair of unknown rotation: now and then a "
+      "quarter or half turn wins, and from there on the track runs another way. 'In sequence' is "
+      "our reading of section 5.2, and what setsquare map --preset paper does: neighbouring scans "
+      "cannot have turned by more than 45 deg, so the nearest offset is the one. In both, a "
+      "rejected scan stands still; after four in a row the last one starts anew with the heading "
+      "that its walls measure.");
   html += command_line("setsquare experiment paper --only section_5_2 -o out");
-  html += closure_table(study);
-  html += heading_table(study);
+  html += table_html(closure_table(study));
+  html += table_html(heading_table(study));
+  html += failing_seeds(study);
   html += count_table(study);
   html += track_charts(first);
   html += seed_table(study);
   html += figure(plan_svg(study.plan,
                           {{"true track", first.truth},
-                           {"--preset paper", first.paper.chain.T_map_base},
+                           {"--preset paper, in sequence", first.paper.chain.T_map_base},
                            {"default", first.ours.chain.T_map_base}}),
                  "Figure 5: the track in the building of seed 1.");
   html += figure(png_element(study.default_map, "Map by the default matcher"),
                  "Figure 6: the map by the default matcher, scan to scan, seed 1.");
   html += figure(png_element(study.paper_map, "Map by the paper's method"),
-                 "The same by the paper's method.");
+                 "The same by the paper's method, in sequence.");
   return html;
+}
+
+std::string circuit_text(const CircuitStudy& study) {
+  return table_text(closure_table(study)) + table_text(heading_table(study));
 }
 
 }  // namespace setsquare::experiments

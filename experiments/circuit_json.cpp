@@ -53,6 +53,7 @@ Json json_from(const CircuitRun& run) {
           {"track_m", travelled_m(run.truth).back()},
           {"circuits", circuits},
           {"paper", json_from(run.paper)},
+          {"paper_literal", json_from(run.paper_literal)},
           {"default", json_from(run.ours)}};
 }
 
@@ -66,6 +67,7 @@ Json json_from(const CircuitStudy& study) {
             {"after_901_m", {{"x_m", 0.5}, {"y_m", 1.2}}}}},
           {"median_closure_errors",
            {{"paper", json_from(closure_medians(study, &CircuitRun::paper))},
+            {"paper_literal", json_from(closure_medians(study, &CircuitRun::paper_literal))},
             {"default", json_from(closure_medians(study, &CircuitRun::ours))},
             {"full_mapper", nullptr}}},
           {"runs", runs}};

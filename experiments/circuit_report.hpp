@@ -11,5 +11,7 @@ namespace setsquare::experiments {
 
 [[nodiscard]] Json json_from(const CircuitStudy& study);
 [[nodiscard]] std::string circuit_html(const CircuitStudy& study);
+/// A few lines for a terminal.
+[[nodiscard]] std::string circuit_text(const CircuitStudy& study);
 
 }  // namespace setsquare::experiments

@@ -91,7 +91,9 @@ CircuitStudy study_circuits(const CircuitStudyParams& params,
     for (const SimulatedScan& scan : simulated.scans) run.truth.push_back(scan.T_map_base);
     find_circuits(run, world);
     const double axis_rad = axis_of_plan(world.building.plan);
-    run.paper = judge_chain(chain_by_paper(simulated.scans), run, axis_rad);
+    PaperChains paper = chains_by_paper(simulated.scans);
+    run.paper = judge_chain(std::move(paper.in_sequence), run, axis_rad);
+    run.paper_literal = judge_chain(std::move(paper.literal), run, axis_rad);
     run.ours = judge_chain(chain_by_default_matcher(simulated.scans), run, axis_rad);
     if (task > 0) return;
     study.plan = world.building.plan;
@@ -117,6 +119,22 @@ ClosureMedians closure_medians(const CircuitStudy& study, ChainOutcome CircuitRu
     medians.norm_m[c] = median(norm_m);
   }
   return medians;
+}
+
+HeadingJudgement judge_headings(const CircuitStudy& study, ChainOutcome CircuitRun::*outcome) {
+  HeadingJudgement judgement;
+  std::vector<double> ends_deg, slopes_deg;
+  for (const CircuitRun& run : study.runs) {
+    const HeadingErrors& heading = (run.*outcome).heading;
+    ends_deg.push_back(deg_from_rad(heading.end_rad));
+    slopes_deg.push_back(std::abs(deg_from_rad(heading.slope_rad_per_100_m)));
+    judgement.num_wrong_turns += heading.num_wrong_turns;
+    judgement.worst_end_deg = std::max(judgement.worst_end_deg, ends_deg.back());
+    if (ends_deg.back() > kMaxEndHeading_deg) judgement.failing.push_back(&run);
+  }
+  judgement.median_end_deg = median(ends_deg);
+  judgement.median_slope_deg_per_100_m = median(slopes_deg);
+  return judgement;
 }
 
 }  // namespace setsquare::experiments

@@ -43,7 +43,8 @@ struct CircuitRun {
   std::uint64_t seed = 0;
   std::vector<Pose2> truth;  ///< T_map_base, one a scan.
   std::array<CircuitScans, 2> circuits;
-  ChainOutcome paper;
+  ChainOutcome paper;          ///< As `setsquare map --preset paper` takes a sequence of scans.
+  ChainOutcome paper_literal;  ///< With all four offsets, as printed.
   ChainOutcome ours;
 };
 
@@ -66,5 +67,19 @@ struct ClosureMedians {
 };
 [[nodiscard]] ClosureMedians closure_medians(const CircuitStudy& study,
                                              ChainOutcome CircuitRun::*outcome);
+
+/// Heading error at the end of the track that a run may have, in deg.
+inline constexpr double kMaxEndHeading_deg = 0.5;
+
+/// A method's headings over the seeds.
+struct HeadingJudgement {
+  double median_end_deg = 0.0;              ///< Of the absolute errors of the last scan.
+  double worst_end_deg = 0.0;               ///< Of the same.
+  double median_slope_deg_per_100_m = 0.0;  ///< Of the absolute slopes, nothing taken modulo.
+  std::size_t num_wrong_turns = 0;          ///< Over all seeds.
+  std::vector<const CircuitRun*> failing;   ///< Beyond kMaxEndHeading_deg at the end.
+};
+[[nodiscard]] HeadingJudgement judge_headings(const CircuitStudy& study,
+                                              ChainOutcome CircuitRun::*outcome);
 
 }  // namespace setsquare::experiments

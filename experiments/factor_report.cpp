@@ -34,13 +34,13 @@ std::vector<Cell> level_row(const FactorOutcome& outcome) {
           {percent(ours.all.wrong_share(), 3)},
           {number(ours.determined.success_error_m.mean(), 4)},
           {number(deg_from_rad(ours.determined.success_error_rad.mean()), 3)},
-          {number(ours.all.nees.mean(), 2)},
-          {percent(ours.all.nees_inside_share(), 1)},
+          {number(ours.all.right_nees.mean(), 2)},
+          {percent(ours.all.right_nees_inside_share(), 1)},
           {percent(paper.high.success_share())},
           {percent(paper.all.wrong_share(), 1)}};
 }
 
-std::string factor_table(const std::vector<FactorOutcome>& outcomes) {
+Table factor_table(const std::vector<FactorOutcome>& outcomes) {
   Table table{"",
               {outcomes.front().factor,
                "pairs",
@@ -51,13 +51,23 @@ std::string factor_table(const std::vector<FactorOutcome>& outcomes) {
                "of matched",
                "error [m]",
                "error [deg]",
-               "mean NEES",
-               "NEES < 7.81",
+               "mean NEES (right)",
+               "NEES < 7.81 (right)",
                "paper: right at >= 45 %",
                "paper: wrong of matched"},
               {}};
   for (const FactorOutcome& outcome : outcomes) table.rows.push_back(level_row(outcome));
-  return table_html(table);
+  return table;
+}
+
+/// The outcomes of one factor after the other.
+std::vector<std::vector<FactorOutcome>> by_factor(const FactorStudy& study) {
+  std::vector<std::vector<FactorOutcome>> factors;
+  for (const FactorOutcome& outcome : study.outcomes) {
+    if (factors.empty() || factors.back().front().factor != outcome.factor) factors.emplace_back();
+    factors.back().push_back(outcome);
+  }
+  return factors;
 }
 
 /// Success against overlap, a curve a level.
@@ -145,19 +155,22 @@ std::string factor_html(const FactorStudy& study) {
               "smears a sweep). Pairs and limits are those of the section before; under fewer "
               "beams a pair keeps the overlap that all 1081 beams give it."}));
   html += command_line("setsquare experiment paper --only factors -o out");
-  for (auto first = study.outcomes.begin(); first != study.outcomes.end();) {
-    const auto last = std::find_if(first, study.outcomes.end(), [&](const FactorOutcome& outcome) {
-      return outcome.factor != first->factor;
-    });
-    const std::vector<FactorOutcome> outcomes(first, last);
-    html += element("h3", first->factor);
-    html += factor_table(outcomes);
+  for (const std::vector<FactorOutcome>& outcomes : by_factor(study)) {
+    html += element("h3", outcomes.front().factor);
+    html += table_html(factor_table(outcomes));
     const std::string charts =
         outcomes.size() > 5 ? level_charts(outcomes) : overlap_chart(outcomes);
     html += joined({"<div class=\"charts\">\n", charts, "</div>\n"});
-    first = last;
   }
   return html;
+}
+
+std::string factor_text(const FactorStudy& study) {
+  std::string text;
+  for (const std::vector<FactorOutcome>& outcomes : by_factor(study)) {
+    text += table_text(factor_table(outcomes));
+  }
+  return text;
 }
 
 }  // namespace setsquare::experiments

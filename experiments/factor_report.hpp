@@ -11,5 +11,7 @@ namespace setsquare::experiments {
 
 [[nodiscard]] Json json_from(const FactorStudy& study);
 [[nodiscard]] std::string factor_html(const FactorStudy& study);
+/// A few lines for a terminal.
+[[nodiscard]] std::string factor_text(const FactorStudy& study);
 
 }  // namespace setsquare::experiments

@@ -85,7 +85,7 @@ std::vector<Cell> absent_row(const std::string& name) {
   return {{name}, {"MRPT is not installed", "faint"}, {"-"}, {"-"}, {"-"}, {"-"}, {"-"}};
 }
 
-std::string aggregates(const HallwayStudy& study, std::size_t num_runs, const std::string& title) {
+Table aggregates(const HallwayStudy& study, std::size_t num_runs, const std::string& title) {
   const HallwaySummary summary = summarise(study, num_runs);
   const bool is_first = num_runs == 1;
   const auto time = [is_first](double time_ms) {
@@ -125,7 +125,7 @@ std::string aggregates(const HallwayStudy& study, std::size_t num_runs, const st
                                      time(study.times.paper_ms)));
   table.rows.push_back(aggregate_row(
       "here: the default matcher", summary.ours, summary.ours_high, time(study.times.ours_ms)));
-  return table_html(table);
+  return table;
 }
 
 }  // namespace
@@ -145,11 +145,19 @@ std::string hallway_html(const HallwayStudy& study) {
   html += figure(plan_svg(first.plan, {{"the robot's path", first.T_map_base}}, true),
                  "Figure 4: the hallway of seed 1 and the places of its scans, 0 to 14.");
   html += matrices(study);
-  html += aggregates(study, 1, "The first hallway");
-  html += aggregates(study,
-                     study.runs.size(),
-                     joined({"The same over ", number(study.runs.size()), " seeds of hallways"}));
+  html += table_html(aggregates(study, 1, "The first hallway"));
+  html += table_html(
+      aggregates(study,
+                 study.runs.size(),
+                 joined({"The same over ", number(study.runs.size()), " seeds of hallways"})));
   return html;
+}
+
+std::string hallway_text(const HallwayStudy& study) {
+  return table_text(
+      aggregates(study,
+                 study.runs.size(),
+                 joined({"Section 5.1, ", number(study.runs.size()), " seeds of hallways"})));
 }
 
 }  // namespace setsquare::experiments

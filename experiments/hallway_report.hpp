@@ -13,5 +13,7 @@ namespace setsquare::experiments {
 [[nodiscard]] Json json_from(const HallwayStudy& study);
 [[nodiscard]] Json json_from(const MatchTimes& times);
 [[nodiscard]] std::string hallway_html(const HallwayStudy& study);
+/// A few lines for a terminal.
+[[nodiscard]] std::string hallway_text(const HallwayStudy& study);
 
 }  // namespace setsquare::experiments

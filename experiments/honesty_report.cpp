@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/honesty_report.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "experiments/page_elements.hpp"
@@ -18,8 +19,13 @@ constexpr std::array kStatuses = {MatchStatus::kMatched,
                                   MatchStatus::kTooFewPoints};
 
 Json json_from(const DirectionClaim& claim) {
+  const auto num_unbounded = std::count_if(
+      claim.claimed_sigma_m.begin(), claim.claimed_sigma_m.end(), [](double claimed_m) {
+        return !std::isfinite(claimed_m);
+      });
   const double sigma_m = median(claim.claimed_sigma_m);
   return {{"error_m", experiments::json_from(claim.error_m)},
+          {"num_unbounded", num_unbounded},
           {"median_claimed_sigma_m", std::isfinite(sigma_m) ? Json(sigma_m) : Json(nullptr)}};
 }
 
@@ -28,7 +34,7 @@ std::string claim_text(const DirectionClaim& claim) {
   const double sigma_m = median(claim.claimed_sigma_m);
   return joined({number(claim.error_m.mean(), 3),
                  " / ",
-                 std::isfinite(sigma_m) ? number(sigma_m, 3) : std::string("none")});
+                 std::isfinite(sigma_m) ? number(sigma_m, 3) : std::string("unbounded")});
 }
 
 std::vector<Cell> outcome_row(const HonestyOutcome& outcome) {
@@ -45,6 +51,25 @@ std::vector<Cell> outcome_row(const HonestyOutcome& outcome) {
   row.push_back({claim_text(outcome.along)});
   row.push_back({claim_text(outcome.across)});
   return row;
+}
+
+Table outcome_table(const HonestyStudy& study) {
+  Table table{"",
+              {"place",
+               "what can be known",
+               "pairs",
+               "matched",
+               "ambiguous",
+               "degenerate",
+               "no overlap",
+               "too few points",
+               "wrong matched",
+               "direction [deg]",
+               "along: error / claim [m]",
+               "across: error / claim [m]"},
+              {}};
+  for (const HonestyOutcome& outcome : study.outcomes) table.rows.push_back(outcome_row(outcome));
+  return table;
 }
 
 }  // namespace
@@ -79,24 +104,17 @@ std::string honesty_html(const HonestyStudy& study) {
        "the answers 'degenerate', mean and highest angle to the direction that the floor plan "
        "leaves open. Error / claim: of the answers 'matched' and 'degenerate', mean absolute error "
        "and median claimed standard deviation, along the direction that the plan determines least "
-       "and across it; 'none' where the information claims nothing."}));
+       "and across it; 'unbounded' where the information claims nothing."}));
   html += command_line("setsquare experiment paper --only honesty -o out");
-  Table table{"",
-              {"place",
-               "what can be known",
-               "pairs",
-               "matched",
-               "ambiguous",
-               "degenerate",
-               "no overlap",
-               "too few points",
-               "wrong matched",
-               "direction [deg]",
-               "along: error / claim [m]",
-               "across: error / claim [m]"},
-              {}};
-  for (const HonestyOutcome& outcome : study.outcomes) table.rows.push_back(outcome_row(outcome));
-  return html + table_html(table);
+  return html + table_html(outcome_table(study));
+}
+
+std::string honesty_text(const HonestyStudy& study) {
+  Table table = outcome_table(study);
+  constexpr std::ptrdiff_t kTruth = 1;  // Long words, told on the page.
+  table.head.erase(table.head.begin() + kTruth);
+  for (std::vector<Cell>& row : table.rows) row.erase(row.begin() + kTruth);
+  return table_text(table);
 }
 
 }  // namespace setsquare::experiments

@@ -11,5 +11,7 @@ namespace setsquare::experiments {
 
 [[nodiscard]] Json json_from(const HonestyStudy& study);
 [[nodiscard]] std::string honesty_html(const HonestyStudy& study);
+/// A few lines for a terminal.
+[[nodiscard]] std::string honesty_text(const HonestyStudy& study);
 
 }  // namespace setsquare::experiments

@@ -33,8 +33,9 @@ double claimed_sigma_m(const Eigen::Matrix3d& information, double direction_rad)
   const Eigen::FullPivLU<Eigen::Matrix2d> solver(others);
   const Eigen::Vector2d coupling = turned.bottomLeftCorner<2, 1>();
   const double kept = turned(0, 0) - coupling.dot(solver.solve(coupling));
-  return kept > 1e-9 * turned(0, 0) && kept > 0.0 ? 1.0 / std::sqrt(kept)
-                                                  : std::numeric_limits<double>::infinity();
+  // What rounding leaves of a direction that is exactly open is no claim.
+  const double rounding = 1e-9 * information.topLeftCorner<2, 2>().trace();
+  return kept > rounding ? 1.0 / std::sqrt(kept) : std::numeric_limits<double>::infinity();
 }
 
 void add_claims(HonestyOutcome& outcome, const JudgedPair& pair) {

@@ -24,7 +24,9 @@ Json json_from(const Tally& tally) {
           {"success_error_m", json_from(tally.success_error_m)},
           {"success_error_deg", json_from(tally.success_error_rad, deg_from_rad(1.0))},
           {"nees", json_from(tally.nees)},
-          {"nees_below_7_81_share", tally.nees_inside_share()}};
+          {"nees_below_7_81_share", tally.nees_inside_share()},
+          {"nees_of_right", json_from(tally.right_nees)},
+          {"nees_of_right_below_7_81_share", tally.right_nees_inside_share()}};
 }
 
 Json json_from(const PairAnswer& answer) {

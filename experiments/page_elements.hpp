@@ -23,6 +23,8 @@ struct Table {
 };
 
 [[nodiscard]] std::string table_html(const Table& table);
+/// The same for a terminal: caption, head and rows, one a line, in columns.
+[[nodiscard]] std::string table_text(const Table& table);
 
 /// <tag>words</tag> with the words escaped.
 [[nodiscard]] std::string element(std::string_view tag, std::string_view words);

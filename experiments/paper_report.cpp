@@ -107,7 +107,11 @@ std::string paper_html(const PaperExperiment& experiment) {
 
 std::string paper_text(const PaperExperiment& experiment) {
   std::string text;
-  if (experiment.buildings) text += summary_text(*experiment.buildings);
+  if (experiment.hallways) text += hallway_text(*experiment.hallways) + "\n";
+  if (experiment.buildings) text += summary_text(*experiment.buildings) + "\n";
+  if (experiment.factors) text += factor_text(*experiment.factors) + "\n";
+  if (experiment.circuits) text += circuit_text(*experiment.circuits) + "\n";
+  if (experiment.honesty) text += honesty_text(*experiment.honesty) + "\n";
   std::vector<Goal> goals = goals_of(experiment);
   goals.push_back(time_goal(experiment));
   for (const Goal& goal : goals) {

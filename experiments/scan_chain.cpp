@@ -79,6 +79,19 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
   return evidence;
 }
 
+ScanChain chain_from(const MappedTrack& track) {
+  ScanChain chain;
+  for (const MappedScan& placed : track.scans) {
+    chain.T_map_base.push_back(placed.T_map_base);
+    if (placed.status == TrackStatus::kLost) {
+      ++chain.counts.num_unmatched;
+    } else if (chain.T_map_base.size() > 1) {
+      ++chain.counts.num_matched;
+    }
+  }
+  return chain;
+}
+
 }  // namespace
 
 ChainCounts& ChainCounts::operator+=(const ChainCounts& other) {
@@ -137,23 +150,22 @@ ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans) {
   return chain;
 }
 
-ScanChain chain_by_paper(std::span<const SimulatedScan> scans) {
+PaperChains chains_by_paper(std::span<const SimulatedScan> scans) {
   // Any motion makes a keyframe: each scan's reference is the last one that was placed.
   PaperMapperParams params;
   params.keyframe_distance_m = 1e-9;
   params.keyframe_turn_rad = 1e-9;
-  PaperMapper mapper(params);
-  for (const SimulatedScan& simulated : scans) static_cast<void>(mapper.add(simulated.scan));
-  ScanChain chain;
-  for (const MappedScan& placed : mapper.finish().scans) {
-    chain.T_map_base.push_back(placed.T_map_base);
-    if (placed.status == TrackStatus::kLost) {
-      ++chain.counts.num_unmatched;
-    } else if (chain.T_map_base.size() > 1) {
-      ++chain.counts.num_matched;
-    }
+  // Neighbours are 10 deg apart: within four scans the robot turns by less than the limit.
+  params.max_rejected = 4;
+  PaperMapper in_sequence(params);
+  params.matcher.max_rotation_rad = kPi;
+  PaperMapper literal(params);
+  for (const SimulatedScan& simulated : scans) {
+    const PreparedPaperScan prepared = prepare_paper(simulated.scan, params.matcher);
+    static_cast<void>(in_sequence.add(simulated.scan, prepared));
+    static_cast<void>(literal.add(simulated.scan, prepared));
   }
-  return chain;
+  return {chain_from(literal.finish()), chain_from(in_sequence.finish())};
 }
 
 }  // namespace setsquare::experiments

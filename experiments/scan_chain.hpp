@@ -29,9 +29,15 @@ struct ScanChain {
   ChainCounts counts;
 };
 
-/// bando2014, section 5.2: PaperMapper with every accepted scan as the next one's reference. The
-/// map's frame is the first scan's, turned by its dominant direction.
-[[nodiscard]] ScanChain chain_by_paper(std::span<const SimulatedScan> scans);
+/// bando2014, section 5.2, by two readings.
+struct PaperChains {
+  ScanChain literal;      ///< Algorithm 3 as printed: any of the four offsets.
+  ScanChain in_sequence;  ///< PaperMapper's: neighbours turn by 45 deg at most.
+};
+
+/// PaperMapper with every accepted scan as the next one's reference. The map's frame is the first
+/// scan's, turned by its dominant direction.
+[[nodiscard]] PaperChains chains_by_paper(std::span<const SimulatedScan> scans);
 
 /// The default matcher, headings from the building:
 ///

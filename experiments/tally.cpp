@@ -51,6 +51,9 @@ void Tally::add(const PairAnswer& answer) {
   if (answer.nees) {
     nees.add(*answer.nees);
     num_nees_inside += *answer.nees < kNees95;
+    if (answer.is_wrong()) return;
+    right_nees.add(*answer.nees);
+    num_right_nees_inside += *answer.nees < kNees95;
   }
 }
 

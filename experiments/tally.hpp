@@ -37,14 +37,21 @@ struct Tally {
   std::size_t num_wrong = 0;            ///< `matched` and further off than 0.2 m or 3 deg.
   Spread success_error_m;
   Spread success_error_rad;
+  /// Of the answers `matched` with full rank: e^T Omega e, the wrong ones included ...
   Spread nees;
   std::size_t num_nees_inside = 0;  ///< Below kNees95.
+  /// ... and of the right ones alone: of a wrong answer its size means nothing.
+  Spread right_nees;
+  std::size_t num_right_nees_inside = 0;
 
   void add(const PairAnswer& answer);
   [[nodiscard]] double success_share() const { return share(num_success, num_pairs); }
   [[nodiscard]] double matched_share() const { return share(num_matched, num_pairs); }
   [[nodiscard]] double wrong_share() const { return share(num_wrong, num_matched); }
   [[nodiscard]] double nees_inside_share() const { return share(num_nees_inside, nees.count); }
+  [[nodiscard]] double right_nees_inside_share() const {
+    return share(num_right_nees_inside, right_nees.count);
+  }
 };
 
 }  // namespace setsquare::experiments

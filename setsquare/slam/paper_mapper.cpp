@@ -23,7 +23,10 @@ PaperMapper::PaperMapper(const PaperMapperParams& params) : params_(params) { pa
 
 TrackedPose PaperMapper::add(const Scan& scan) {
   scan.validate();
-  PreparedPaperScan current = prepare_paper(scan, params_.matcher);
+  return add(scan, prepare_paper(scan, params_.matcher));
+}
+
+TrackedPose PaperMapper::add(const Scan& scan, PreparedPaperScan current) {
   const TrackedPose tracked = place(current);
   if (tracked.is_keyframe) {
     keyframe_ = std::move(current);
@@ -50,21 +53,34 @@ TrackedPose PaperMapper::place(const PreparedPaperScan& current) {
     T_map_sensor_.theta_rad = wrap_to_period(current.direction.theta_rad, 0.5 * kPi);
     tracked.is_keyframe = true;
   } else {
-    const MatchResult match = match_paper(*keyframe_, current, params_.matcher);
-    tracked.score = match.score;
-    if (match.status == MatchStatus::kMatched) {
-      num_rejected_ = 0;
-      const Pose2& moved = *match.T_reference_current;
-      T_map_sensor_ = T_map_keyframe_ * moved;
-      tracked.is_keyframe = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
-                            std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
-    } else {
-      tracked.status = TrackStatus::kLost;
-      tracked.is_keyframe = ++num_rejected_ >= params_.max_rejected;
-    }
+    follow(match_paper(*keyframe_, current, params_.matcher), current, tracked);
   }
   tracked.T_odom_sensor = T_map_sensor_;
   return tracked;
+}
+
+void PaperMapper::follow(const MatchResult& match,
+                         const PreparedPaperScan& current,
+                         TrackedPose& tracked) {
+  tracked.score = match.score;
+  if (match.status == MatchStatus::kMatched) {
+    num_rejected_ = 0;
+    const Pose2& moved = *match.T_reference_current;
+    T_map_sensor_ = T_map_keyframe_ * moved;
+    tracked.is_keyframe = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
+                          std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+    return;
+  }
+  tracked.status = TrackStatus::kLost;
+  tracked.is_keyframe = ++num_rejected_ >= params_.max_rejected;
+  if (tracked.is_keyframe) T_map_sensor_.theta_rad = measured_heading_rad(current);
+}
+
+/// Eq. (8) without a match: theta_D tells the heading modulo a quarter turn, the last one the rest.
+double PaperMapper::measured_heading_rad(const PreparedPaperScan& current) const {
+  const double turn_rad = current.direction.theta_rad - keyframe_->direction.theta_rad;
+  const double change_rad = T_map_keyframe_.theta_rad + turn_rad - T_map_sensor_.theta_rad;
+  return wrap_to_pi(T_map_sensor_.theta_rad + wrap_to_period(change_rad, 0.5 * kPi));
 }
 
 MappedTrack PaperMapper::finish() const { return track_; }

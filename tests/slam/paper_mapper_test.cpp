@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/paper_mapper.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
@@ -20,6 +21,7 @@ using testing::Fan;
 using testing::l_shaped_room;
 using testing::PoseNear;
 using testing::PoseTolerance;
+using testing::scan_of_walls;
 using testing::scans_on_drive;
 
 /// The paper's sensor: 270 degrees in steps of 0.25.
@@ -57,6 +59,46 @@ TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
   EXPECT_EQ(track.scans[4].status, TrackStatus::kLost);
   EXPECT_EQ(track.scans[4].T_map_sensor, track.scans[3].T_map_sensor);
   EXPECT_EQ(track.scans[5].status, TrackStatus::kTracked);
+}
+
+TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
+  // A square room looks the same after a quarter turn: only the limit tells.
+  const std::vector<testing::Wall> room = {{-3.0, -3.0, 3.0, -3.0},
+                                           {3.0, -3.0, 3.0, 3.0},
+                                           {3.0, 3.0, -3.0, 3.0},
+                                           {-3.0, 3.0, -3.0, -3.0}};
+  std::vector<Pose2> truth;
+  for (int k = 0; k < 60; ++k) truth.push_back({0.02 * k, -0.01 * k, rad_from_deg(9.0 * k)});
+  PaperMapper mapper;
+  for (const Scan& scan : scans_on_drive(room, truth, 0.01, papers_fan())) mapper.add(scan);
+  const MappedTrack track = mapper.finish();
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    EXPECT_THAT(between(track.scans[0].T_map_sensor, track.scans[k].T_map_sensor).theta_rad,
+                ::testing::Truly([&](double turn_rad) {
+                  const double error_rad = wrap_to_pi(turn_rad - truth[k].theta_rad);
+                  return std::abs(error_rad) < rad_from_deg(1.0);
+                }))
+        << k;
+  }
+}
+
+TEST(PaperMapper, AfterRejectedScansTheWallsTellTheHeading) {
+  PaperMapperParams params;
+  params.max_rejected = 2;
+  PaperMapper mapper(params);
+  mapper.add(scan_of_walls(l_shaped_room(), {2.0, 2.5, rad_from_deg(7.0)}, papers_fan()));
+  // Another place of the same building.
+  const auto corridor = testing::bare_corridor();
+  mapper.add(scan_of_walls(corridor, {0.0, 0.1, rad_from_deg(17.0)}, papers_fan()));
+  mapper.add(scan_of_walls(corridor, {0.0, 0.1, rad_from_deg(27.0)}, papers_fan()));
+  const MappedTrack track = mapper.finish();
+  ASSERT_EQ(track.scans[1].status, TrackStatus::kLost);
+  ASSERT_EQ(track.scans[2].status, TrackStatus::kLost);
+  EXPECT_EQ(track.keyframes, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(track.scans[1].T_map_sensor, track.scans[0].T_map_sensor);
+  EXPECT_THAT(between(track.scans[0].T_map_sensor, track.scans[2].T_map_sensor),
+              PoseNear(Pose2{0.0, 0.0, rad_from_deg(20.0)},
+                       PoseTolerance{.translation_m = 1e-9, .rotation_rad = rad_from_deg(0.3)}));
 }
 
 TEST(PaperMapper, BlankScansCostNoOther) {
