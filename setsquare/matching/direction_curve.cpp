@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/matching/wider_clones.hpp"
 
 namespace setsquare {
 namespace {
@@ -39,6 +40,49 @@ std::vector<SinCos> unit_directions(const DirectionGrid& grid) {
   return directions;
 }
 
+/// Where the points' coordinates along a direction fall, counted from the upper end of the range.
+struct SlotScale {
+  double max_distance_m = 0.0;
+  double inverse_width = 0.0;
+  double last = 0.0;  ///< Slots 1 and last + 2 take what lies outside the range.
+};
+
+// Plain arrays and loops, compiled for wider instructions too: half of the curve's time (timed by
+// benchmarks/stages/paper_benchmark).
+SETSQUARE_WIDER_CLONES void find_slots(const double* x_m,
+                                       const double* y_m,
+                                       std::size_t num_points,
+                                       const SinCos& direction,
+                                       const SlotScale& scale,
+                                       std::int32_t* slot) {
+  const SinCos d = direction;
+  const SlotScale to = scale;
+  for (std::size_t i = 0; i < num_points; ++i) {
+    const double rho_m = x_m[i] * d.s + y_m[i] * d.c;  // Eq. (4)
+    const double from_end = (to.max_distance_m - rho_m) * to.inverse_width;
+    slot[i] = static_cast<std::int32_t>(std::min(std::max(from_end, -1.0), to.last) + 2.0);
+  }
+}
+
+SETSQUARE_WIDER_CLONES std::int32_t sum_squared_differences(const std::int16_t* count,
+                                                            std::size_t num_differences) {
+  std::int32_t sum = 0;
+  for (std::size_t k = 0; k < num_differences; ++k) {
+    const std::int32_t difference = static_cast<std::int16_t>(count[k + 1] - count[k]);
+    sum += difference * difference;
+  }
+  return sum;
+}
+
+std::int64_t sum_squared_differences(const std::int32_t* count, std::size_t num_differences) {
+  std::int64_t sum = 0;
+  for (std::size_t k = 0; k < num_differences; ++k) {
+    const std::int64_t difference = count[k + 1] - count[k];
+    sum += difference * difference;
+  }
+  return sum;
+}
+
 /// One profile after another of the same points, in plain arrays that stay in the cache (timed by
 /// benchmarks/stages/paper_benchmark). `Count` holds a bin's count, `Sum` a sum of squares.
 template <class Count, class Sum>
@@ -46,40 +90,25 @@ class ProfileSweep {
  public:
   ProfileSweep(const PointSet& points, const ProfileBins& bins)
       : points_(points),
-        inverse_width_(1.0 / bins.bin_width_m),
-        max_distance_m_(bins.max_distance_m),
         num_bins_(bins.num_bins()),
+        scale_{bins.max_distance_m, 1.0 / bins.bin_width_m, static_cast<double>(num_bins_)},
         slot_(points.size()),
         counts_(num_bins_ + 4) {}
 
   /// Counts the points along `direction`, from the upper end of the range: the mirrored profile,
   /// whose moment is the same.
   void fill(const SinCos& direction) {
-    const double* const x_m = points_.x_m.data();
-    const double* const y_m = points_.y_m.data();
-    std::int32_t* const slot = slot_.data();
-    const std::size_t num_points = slot_.size();
-    const auto last = static_cast<double>(num_bins_);
-    for (std::size_t i = 0; i < num_points; ++i) {
-      const double rho_m = x_m[i] * direction.s + y_m[i] * direction.c;  // Eq. (4)
-      const double from_end = (max_distance_m_ - rho_m) * inverse_width_;
-      // Slots 1 and num_bins + 2 take what lies outside the range.
-      slot[i] = static_cast<std::int32_t>(std::min(std::max(from_end, -1.0), last) + 2.0);
-    }
+    find_slots(
+        points_.x_m.data(), points_.y_m.data(), slot_.size(), direction, scale_, slot_.data());
     std::fill(counts_.begin(), counts_.end(), Count{0});
-    for (std::size_t i = 0; i < num_points; ++i) ++counts_[static_cast<std::size_t>(slot[i])];
+    Count* const counts = counts_.data();
+    for (const std::int32_t slot : slot_) ++counts[slot];
     counts_[1] = 0;
     counts_[num_bins_ + 2] = 0;
   }
 
   double squared_differences() const {
-    const Count* const count = counts_.data() + 1;
-    Sum sum = 0;
-    for (std::size_t k = 0; k <= num_bins_; ++k) {
-      const Sum difference = static_cast<Sum>(static_cast<Count>(count[k + 1] - count[k]));
-      sum += difference * difference;
-    }
-    return static_cast<double>(sum);
+    return static_cast<double>(sum_squared_differences(counts_.data() + 1, num_bins_ + 1));
   }
 
   double squared_second_differences() const {
@@ -95,9 +124,8 @@ class ProfileSweep {
 
  private:
   const PointSet& points_;
-  double inverse_width_;
-  double max_distance_m_;
   std::size_t num_bins_;
+  SlotScale scale_;
   std::vector<std::int32_t> slot_;
   std::vector<Count> counts_;
 };
