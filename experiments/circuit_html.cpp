@@ -53,11 +53,12 @@ Table closure_table(const CircuitStudy& study) {
 std::vector<Cell> heading_row(const std::string& name,
                               const CircuitStudy& study,
                               ChainOutcome CircuitRun::*outcome) {
-  std::vector<double> mean, end, slope, square_mean, square_end, square_slope;
+  std::vector<double> mean, highest, end, slope, square_mean, square_end, square_slope;
   std::size_t num_wrong_turns = 0;
   for (const CircuitRun& run : study.runs) {
     const HeadingErrors& heading = (run.*outcome).heading;
     mean.push_back(deg_from_rad(heading.mean_rad));
+    highest.push_back(deg_from_rad(heading.highest_rad));
     end.push_back(deg_from_rad(heading.end_rad));
     slope.push_back(std::abs(deg_from_rad(heading.slope_rad_per_100_m)));
     square_mean.push_back(deg_from_rad(heading.square_mean_rad));
@@ -70,6 +71,7 @@ std::vector<Cell> heading_row(const std::string& name,
   };
   return {{name},
           {number(median(mean), 3)},
+          {joined({number(median(highest), 2), ", ", worst(highest)})},
           {joined({number(median(end), 3), ", ", worst(end)})},
           {number(median(slope), 4)},
           {number(num_wrong_turns), num_wrong_turns == 0 ? "" : "bad"},
@@ -85,6 +87,7 @@ Table heading_table(const CircuitStudy& study) {
       "the directions of the walls hold fast",
       {"method",
        "mean",
+       "highest on the way: median, worst",
        "at the end: median, worst",
        "|slope| per 100 m",
        "wrong turns, all seeds",
@@ -241,6 +244,8 @@ std::string circuit_html(const CircuitStudy& study) {
       "quarter or half turn wins, and from there on the track runs another way. 'In sequence' is "
       "our reading of section 5.2, and what setsquare map --preset paper does: neighbouring scans "
       "cannot have turned by more than 45 deg, so the nearest offset is the one. In both, a "
+      "scan whose dominant direction is a wrong one is off by itself (the highest errors below) "
+      "and bends the track there, but the next right one has its heading from its own walls again. A "
       "rejected scan stands still; after four in a row the last one starts anew with the heading "
       "that its walls measure.");
   html += command_line("setsquare experiment paper --only section_5_2 -o out");

@@ -31,6 +31,8 @@ TEST(CommandExperiment, WritesThePageAndTheSameNumbersForAnyNumberOfThreads) {
                                                  out.string() + "' " + options);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     EXPECT_THAT(outcome.out, HasSubstr("paper.html"));
+    EXPECT_THAT(outcome.out, HasSubstr("bare corridor"));
+    EXPECT_THAT(outcome.out, HasSubstr("wrong matched"));
     EXPECT_THAT(content_of(out / "paper.html"), HasSubstr("<h2>Where the scans do not tell</h2>"));
     return without_timing(out / "paper.json");
   };

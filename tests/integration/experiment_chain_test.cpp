@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/chain_errors.hpp"
+#include "experiments/circuit_study.hpp"
 #include "experiments/scan_chain.hpp"
 
 namespace setsquare::experiments {
@@ -118,6 +119,25 @@ TEST(ChainErrors, DriftOfTheHeadingIsItsSlope) {
   std::vector<Pose2> chain = truth;
   for (std::size_t k = 0; k < chain.size(); ++k) chain[k].theta_rad += 1e-3 * path_m[k];
   EXPECT_NEAR(heading_errors(chain, truth).slope_rad_per_100_m, 0.1, 1e-9);
+}
+
+TEST(JudgeHeadings, NamesTheSeedsThatEndWrongly) {
+  CircuitStudy study;
+  study.runs.resize(3);
+  for (std::size_t i = 0; i < study.runs.size(); ++i) study.runs[i].seed = i + 1;
+  study.runs[0].paper.heading.end_rad = rad_from_deg(0.1);
+  study.runs[1].paper.heading.end_rad = rad_from_deg(90.0);
+  study.runs[1].paper.heading.num_wrong_turns = 3;
+  study.runs[2].paper.heading.end_rad = rad_from_deg(0.4);
+  study.runs[2].paper.heading.slope_rad_per_100_m = rad_from_deg(-0.2);
+  const HeadingJudgement judgement = judge_headings(study, &CircuitRun::paper);
+  EXPECT_NEAR(judgement.median_end_deg, 0.4, 1e-12);
+  EXPECT_NEAR(judgement.worst_end_deg, 90.0, 1e-12);
+  EXPECT_NEAR(judgement.median_slope_deg_per_100_m, 0.0, 1e-12);
+  EXPECT_EQ(judgement.num_wrong_turns, 3U);
+  ASSERT_EQ(judgement.failing.size(), 1U);
+  EXPECT_EQ(judgement.failing.front()->seed, 2U);
+  EXPECT_TRUE(judge_headings(study, &CircuitRun::paper_literal).failing.empty());
 }
 
 TEST(ChainErrors, TheAxisOfAPlanIsThatOfItsWalls) {

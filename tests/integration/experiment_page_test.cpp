@@ -34,6 +34,11 @@ TEST(PageElements, WordsAreEscaped) {
   EXPECT_THAT(table_html(table), Not(HasSubstr("<1")));
 }
 
+TEST(PageElements, ATableForATerminalHasColumns) {
+  const Table table{"caption", {"", "n"}, {{{"a"}, {"100", "bad"}}, {{"long"}, {"1"}}}};
+  EXPECT_EQ(table_text(table), "caption\n        n\na     100\nlong    1\n");
+}
+
 TEST(PageElements, WhatIsNotKnownIsADash) {
   EXPECT_EQ(percent(std::numeric_limits<double>::quiet_NaN()), "-");
   EXPECT_EQ(number(std::numeric_limits<double>::quiet_NaN(), 2), "-");

@@ -87,6 +87,17 @@ TEST(BuildingSummary, UndeterminedPairsCountAsWrongButNotAsFailures) {
   EXPECT_TRUE(lists.failures.empty());
 }
 
+TEST(Tally, AWrongAnswersErrorIsNoMeasureOfTheCovariance) {
+  Tally tally;
+  tally.add(judge(matched_at({0.1, 0.0, 0.0}), {}));
+  tally.add(judge(matched_at({0.0, 0.0, 0.0}), {}));
+  tally.add(judge(matched_at({9.0, 0.0, 0.0}), {}));
+  EXPECT_EQ(tally.num_wrong, 1U);
+  EXPECT_NEAR(tally.right_nees.mean(), 0.5, 1e-9);
+  EXPECT_EQ(tally.right_nees_inside_share(), 1.0);
+  EXPECT_NEAR(tally.nees_inside_share(), 2.0 / 3.0, 1e-12);
+}
+
 TEST(BuildingStudy, TheNumberOfThreadsChangesNothing) {
   BuildingStudyParams params;
   params.num_seeds = 1;
