@@ -3,63 +3,72 @@
 #include "setsquare/matching/distinct_wall.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <Eigen/Geometry>
 #include <vector>
-
-#include "setsquare/matching/angle_histogram.hpp"
 
 namespace setsquare {
 namespace {
 
 constexpr float kMaxDistance_m = 0.15F;
 constexpr float kMinNormalCosine = 0.7F;
+/// Samples lie on one line whose normals are so alike and that are so near to it; clutter is one
+/// thing where it is that near together.
+constexpr float kSameLineCosine = 0.97F;
+constexpr float kSameLine_m = 0.25F;
+constexpr float kSameThing_m = 0.4F;
 constexpr float kMaxLine_m = 0.5F;
-/// Lines are told apart by direction and by offset from the reference's origin, clutter by place.
-constexpr int kNumDirections = 20;
-constexpr float kOffsetStep_m = 0.4F;
-constexpr float kPlaceStep_m = 0.5F;
-constexpr int kTableSide = 256;  // Offsets and places farther than 50 m share entries.
 
-int table_index(float coordinate_m, float step_m) {
-  return static_cast<int>(std::floor(coordinate_m / step_m)) & (kTableSide - 1);
-}
+/// A line, or a piece of clutter (normal zero), as the mean of its samples so far.
+struct Line {
+  Eigen::Vector2f mean_m;
+  Eigen::Vector2f normal;
+  float length_m = 0.0F;
 
-/// Agreeing length, a line or a place each.
-class LineLengths {
- public:
-  LineLengths() : lengths_m_(static_cast<std::size_t>(kNumDirections + 1) * kTableSide) {
-    for (int direction = 0; direction < kNumDirections; ++direction) {
-      const double angle_rad = (direction + 0.5) * kTwoPi / kNumDirections - kPi;
-      facing_[direction] = Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad)).cast<float>();
+  [[nodiscard]] bool holds(const Eigen::Vector2f& p_m, const Eigen::Vector2f& p_normal) const {
+    const Eigen::Vector2f from_mean_m = p_m - mean_m;
+    if (p_normal.isZero(0.0F)) {
+      return normal.isZero(0.0F) && from_mean_m.squaredNorm() < kSameThing_m * kSameThing_m;
     }
+    return normal.dot(p_normal) > kSameLineCosine &&
+           std::abs(normal.dot(from_mean_m)) < kSameLine_m;
   }
 
+  void add(const Eigen::Vector2f& p_m, const Eigen::Vector2f& p_normal, float p_length_m) {
+    length_m += p_length_m;
+    const float share = p_length_m / length_m;
+    mean_m += share * (p_m - mean_m);
+    if (normal.isZero(0.0F)) return;
+    normal += share * (p_normal - normal);
+    normal.normalize();
+  }
+};
+
+/// Agreeing samples sorted into lines. Neighbouring samples mostly lie on one line.
+class LineLengths {
+ public:
   void add(const Eigen::Vector2f& p_m, const Eigen::Vector2f& normal, float length_m) {
-    if (normal.isZero(0.0F)) {
-      const int place = table_index(p_m.x(), kPlaceStep_m) ^ table_index(p_m.y(), kPlaceStep_m)
-                                                                 << 4;
-      lengths_m_[kNumDirections * kTableSide + (place & (kTableSide - 1))] += length_m;
+    if (last_ < lines_.size() && lines_[last_].holds(p_m, normal)) {
+      lines_[last_].add(p_m, normal, length_m);
       return;
     }
-    static_assert(AngleHistogram::kNumBins % kNumDirections == 0);
-    constexpr int kBinsPerDirection = AngleHistogram::kNumBins / kNumDirections;
-    const int direction = AngleHistogram::bin_of(normal.x(), normal.y()) / kBinsPerDirection;
-    const float offset_m = facing_[direction].dot(p_m);
-    lengths_m_[direction * kTableSide + table_index(offset_m, kOffsetStep_m)] += length_m;
+    const auto found = std::find_if(
+        lines_.begin(), lines_.end(), [&](const Line& line) { return line.holds(p_m, normal); });
+    last_ = static_cast<std::size_t>(found - lines_.begin());
+    if (found == lines_.end()) lines_.push_back({.mean_m = p_m, .normal = normal});
+    lines_[last_].add(p_m, normal, length_m);
   }
 
   [[nodiscard]] double capped_sum_m() const {
     double sum_m = 0.0;
-    for (const float length_m : lengths_m_) sum_m += std::min(length_m, kMaxLine_m);
+    for (const Line& line : lines_) sum_m += std::min(line.length_m, kMaxLine_m);
     return sum_m;
   }
 
  private:
-  std::array<Eigen::Vector2f, kNumDirections> facing_;
-  std::vector<float> lengths_m_;  ///< A row of offsets a direction, and one of places.
+  std::vector<Line> lines_;
+  std::size_t last_ = 0;
 };
 
 /// Adds the samples of frame b that lie on the surfaces of frame a; the lines' frame is r.

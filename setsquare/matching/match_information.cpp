@@ -22,7 +22,8 @@ Eigen::Matrix3d match_information(const MatchNormal& normal) {
   const Eigen::Matrix3d whitened =
       B_inverse_transpose.transpose() * normal.scatter * B_inverse_transpose +
       kLeastScatter_m3 * Eigen::Matrix3d::Identity();
-  return B * whitened.inverse() * B.transpose();
+  const Eigen::Matrix3d information = B * whitened.inverse() * B.transpose();
+  return 0.5 * (information + information.transpose());  // To the last bit.
 }
 
 Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information,
