@@ -245,7 +245,8 @@ std::string circuit_html(const CircuitStudy& study) {
       "our reading of section 5.2, and what setsquare map --preset paper does: neighbouring scans "
       "cannot have turned by more than 45 deg, so the nearest offset is the one. In both, a "
       "scan whose dominant direction is a wrong one is off by itself (the highest errors below) "
-      "and bends the track there, but the next right one has its heading from its own walls again. A "
+      "and bends the track there, but the next right one has its heading from its own walls again. "
+      "A "
       "rejected scan stands still; after four in a row the last one starts anew with the heading "
       "that its walls measure.");
   html += command_line("setsquare experiment paper --only section_5_2 -o out");

@@ -26,12 +26,11 @@ MatchResult match_paper(const PreparedPaperScan& reference,
   const std::size_t num_points = std::min(reference.points.size(), current.points.size());
   if (num_points < static_cast<std::size_t>(params.min_num_points)) return result;
   result.status = MatchStatus::kRejected;
-  const std::optional<RelativePose> best =
-      relative_pose(reference.projected,
-                    current.projected,
-                    params.shifts(),
-                    params.max_rotation_rad,
-                    trace);  // Algorithm 3
+  const std::optional<RelativePose> best = relative_pose(reference.projected,
+                                                         current.projected,
+                                                         params.shifts(),
+                                                         params.max_rotation_rad,
+                                                         trace);  // Algorithm 3
   if (!best) return result;
   result.T_reference_current = best->T_reference_current;
   result.zncc_x = best->zncc_x;

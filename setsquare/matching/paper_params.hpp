@@ -17,8 +17,8 @@ struct PaperParams {
   double direction_step_rad = rad_from_deg(0.1);  ///< Of theta in Algorithm 2.
   /// Reading of eq. (7); docs/method.md tells why this one.
   DirectionMoment moment = DirectionMoment::kNeighbourDifferences;
-  double max_shift_m = 2.5;         ///< lambda_max, section 5.1.
-  double shift_step_m = 0.005;      ///< Delta lambda, section 5.1.
+  double max_shift_m = 2.5;     ///< lambda_max, section 5.1.
+  double shift_step_m = 0.005;  ///< Delta lambda, section 5.1.
   /// Offsets of Algorithm 3 that turn the current scan by more (eq. (8), either way) are not tried.
   /// Half a turn is the method as printed, which tries all four.
   double max_rotation_rad = kPi;
