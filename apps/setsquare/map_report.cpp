@@ -52,7 +52,8 @@ Json parameters(const MapOptions& options) {
             {"keyframe_turn_deg", rounded(deg_from_rad(params.keyframe_turn_rad))},
             {"max_rejected", params.max_rejected},
             {"min_zncc_product", params.matcher.min_zncc_product},
-            {"max_shift_m", params.matcher.max_shift_m}};
+            {"max_shift_m", params.matcher.max_shift_m},
+            {"max_rotation_deg", deg_from_rad(params.matcher.max_rotation_rad)}};
   }
   const MapperParams params;
   const ScanTrackerParams& tracker = params.tracker;

@@ -42,6 +42,10 @@ void MatchParams::validate() const {
   require(
       answer.margin_per_contradiction >= 0.0, "margin_per_contradiction", "must not be negative");
   require(answer.min_distinct_m >= 0.0, "min_distinct_m", "must not be negative");
+  require(answer.clear_distinct_m >= answer.min_distinct_m,
+          "clear_distinct_m",
+          "must not be below min_distinct_m");
+  require(answer.rival_contradiction_m >= 0.0, "rival_contradiction_m", "must not be negative");
   require(answer.min_margin_alone >= 0.0, "min_margin_alone", "must not be negative");
   require(answer.min_constraint_m >= 0.0, "min_constraint_m", "must not be negative");
   require(answer.same_translation_m > 0.0, "same_translation_m", "must be positive");

@@ -32,12 +32,14 @@ struct AnswerParams {
   /// The margin must reach so many times the share of one scan's wall, agreeing or contradicted,
   /// that the other contradicts.
   double margin_per_contradiction = 1.15;
-  double min_distinct_m = 1.6;  ///< Agreeing wall, no line for more than half a metre.
+  double min_distinct_m = 1.6;    ///< Agreeing wall, no line for more than half a metre.
+  double clear_distinct_m = 2.5;  ///< With less the quick search is not believed: all rotations.
   /// A different pose of this share of the agreement, contradicted as little, makes the answer
   /// ambiguous: a row of doors.
   double rival_agreement = 0.68;
-  double rival_contradiction = 0.05;  ///< By so much more at most: share of what can be judged.
-  double same_translation_m = 0.30;   ///< Poses nearer than both of these are one answer.
+  double rival_contradiction = 0.05;   ///< By so much more at most: share of what can be judged,
+  double rival_contradiction_m = 2.0;  ///< and length.
+  double same_translation_m = 0.30;    ///< Poses nearer than both of these are one answer.
   double same_rotation_rad = 0.10;
 };
 

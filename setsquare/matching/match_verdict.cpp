@@ -21,9 +21,11 @@ double contradicted_share(const Evidence& evidence) {
 bool has_rival(std::span<const Candidate> candidates, const AnswerParams& params) {
   const Candidate& best = candidates.front();
   const double max_share = contradicted_share(best.evidence) + params.rival_contradiction;
+  const double max_m = best.evidence.contradicted_m + params.rival_contradiction_m;
   return std::any_of(candidates.begin() + 1, candidates.end(), [&](const Candidate& other) {
     return !are_same(best.T_reference_current, other.T_reference_current, params) &&
            other.evidence.agreeing_m >= params.rival_agreement * best.evidence.agreeing_m &&
+           other.evidence.contradicted_m <= max_m &&
            contradicted_share(other.evidence) <= max_share;
   });
 }

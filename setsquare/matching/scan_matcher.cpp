@@ -50,7 +50,9 @@ MatchResult match(const PreparedScan& reference,
   const auto search = [&](std::span<const RotationProposal> tried, const SearchParams& effort) {
     return search_candidates(reference, current, grid, tried, effort, params, trace);
   };
-  MatchResult result = answer(reference, current, search(rotations, params.quick), params);
+  MatchParams at_once = params;
+  at_once.answer.min_distinct_m = params.answer.clear_distinct_m;
+  MatchResult result = answer(reference, current, search(rotations, params.quick), at_once);
   const bool is_thorough = result.status != MatchStatus::kMatched;
   if (is_thorough) {
     const auto circle = all_rotations(params.thorough.num_rotations);

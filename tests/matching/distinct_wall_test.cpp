@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "setsquare/matching/prepared_scan.hpp"
@@ -69,23 +70,41 @@ TEST(DistinctWall, IsNothingWhereNothingLiesOnTheOther) {
 
 TEST(DistinctWall, IsOfARoomMuchMoreThanOfACorner) {
   auto generator = testing::make_generator();
-  // Walls that face the middles of the directions that are told apart: half a metre a line, a
-  // little more where a line lies between two offsets or a return beside its wall.
-  const double heading_rad = rad_from_deg(9);
-  const double corner_m = distinct_from(kCorner, {3.0, 2.0, heading_rad});
+  // Half a metre a line, a little more where a return lies beside its wall.
+  const double corner_m = distinct_from(kCorner, {3.0, 2.0, 0.0});
   EXPECT_GE(corner_m, 0.99);
-  EXPECT_LE(corner_m, 2.1);
+  EXPECT_LE(corner_m, 1.3);
   constexpr int kNumRooms = 20;
   double mean_room_m = 0.0;
   for (int trial = 0; trial < kNumRooms; ++trial) {
     const auto room = testing::furnished_room(generator);
-    Pose2 T = testing::free_pose(room, generator);
-    T.theta_rad = heading_rad;
-    const double room_m = distinct_from(room.walls, T);
+    const double room_m = distinct_from(room.walls, testing::free_pose(room, generator));
     EXPECT_GT(room_m, corner_m);
     mean_room_m += room_m / kNumRooms;
   }
   EXPECT_GT(mean_room_m, 3.0 * corner_m);
+}
+
+TEST(DistinctWall, OfACornerIsTheSameWhereverTheSensorFaces) {
+  for (int degrees = 0; degrees < 90; degrees += 3) {
+    const double corner_m = distinct_from(kCorner, {3.0, 2.0, rad_from_deg(degrees)});
+    EXPECT_GE(corner_m, 0.99) << degrees << " deg";
+    EXPECT_LE(corner_m, 1.3) << degrees << " deg";
+  }
+}
+
+TEST(DistinctWall, OfARoomHardlyDependsOnWhereTheSensorFaces) {
+  auto generator = testing::make_generator();
+  double largest_change = 0.0;
+  for (int trial = 0; trial < 20; ++trial) {
+    const auto room = testing::furnished_room(generator);
+    Pose2 T = testing::free_pose(room, generator);
+    const double before_m = distinct_from(room.walls, T);
+    T.theta_rad = wrap_to_pi(T.theta_rad + uniform(generator, -kPi, kPi));
+    const double change = std::abs(distinct_from(room.walls, T) / before_m - 1.0);
+    largest_change = std::max(largest_change, change);
+  }
+  EXPECT_LT(largest_change, 0.35);
 }
 
 TEST(DistinctWall, FallsAsTheScansAreMovedApart) {

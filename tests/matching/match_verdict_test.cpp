@@ -152,9 +152,13 @@ INSTANTIATE_TEST_SUITE_P(
              [](Case& c) { set_rival(c, 9.0, 9.0 * 0.0674 / (1 - 0.0674)); },
              [](Case& c) { set_rival(c, 9.0, 9.0 * 0.0654 / (1 - 0.0654)); },
              kAmbiguous},
+        Rule{"rival_contradiction_m",  // Of a rival with so much wall that the share stays small.
+             [](Case& c) { set_rival(c, 200.0, 2.3); },
+             [](Case& c) { set_rival(c, 200.0, 2.1); },
+             kAmbiguous},
         Rule{"min_distinct_m",
-             [](Case& c) { c.distinct_wall_m = 3.01; },
-             [](Case& c) { c.distinct_wall_m = 2.99; },
+             [](Case& c) { c.distinct_wall_m = 1.61; },
+             [](Case& c) { c.distinct_wall_m = 1.59; },
              kAmbiguous}));
 
 TEST(Verdict, ARivalWithinTheSameBasinIsNone) {
