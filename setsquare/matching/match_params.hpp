@@ -32,7 +32,7 @@ struct AnswerParams {
   /// The margin must reach so many times the share of one scan's wall, agreeing or contradicted,
   /// that the other contradicts.
   double margin_per_contradiction = 1.15;
-  double min_distinct_m = 1.6;    ///< Agreeing wall, no line for more than half a metre.
+  double min_distinct_m = 1.8;    ///< Agreeing wall, no line for more than half a metre.
   double clear_distinct_m = 2.5;  ///< With less the quick search is not believed: all rotations.
   /// A different pose of this share of the agreement, contradicted as little, makes the answer
   /// ambiguous: a row of doors.

@@ -157,8 +157,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](Case& c) { set_rival(c, 200.0, 2.1); },
              kAmbiguous},
         Rule{"min_distinct_m",
-             [](Case& c) { c.distinct_wall_m = 1.61; },
-             [](Case& c) { c.distinct_wall_m = 1.59; },
+             [](Case& c) { c.distinct_wall_m = 1.81; },
+             [](Case& c) { c.distinct_wall_m = 1.79; },
              kAmbiguous}));
 
 TEST(Verdict, ARivalWithinTheSameBasinIsNone) {
