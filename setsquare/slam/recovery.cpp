@@ -15,6 +15,14 @@ bool is_far_from(const Pose2& expected, const Pose2& found, const RecoveryParams
   return std::hypot(off.x_m, off.y_m) > params.near_m || std::abs(off.theta_rad) > params.near_rad;
 }
 
+/// The robot was here a moment ago: what would fit a corner of any building fits this one.
+MatchParams params_of_a_known_place() {
+  MatchParams params;
+  params.answer.min_distinct_m = 0.0;
+  params.answer.clear_distinct_m = 0.0;
+  return params;
+}
+
 }  // namespace
 
 std::optional<RecoveredFit> recover(const TrackingProblem& problem,
@@ -23,12 +31,13 @@ std::optional<RecoveredFit> recover(const TrackingProblem& problem,
                                     const RecoveryParams& params,
                                     const SubmapRefinementParams& refinement) {
   const PreparedScan current = prepare(scan);
+  const MatchParams match_params = params_of_a_known_place();
   const std::size_t num_tried = std::min(params.num_keyframes, problem.submap.size());
   std::optional<RecoveredFit> best;
   double best_score = tracked.alignment.score() + params.min_gain;
   for (std::size_t k = 0; k < num_tried; ++k) {
     const Keyframe& keyframe = problem.submap[problem.submap.size() - 1 - k];
-    const MatchResult match = setsquare::match(prepare(keyframe.scan), current);
+    const MatchResult match = setsquare::match(prepare(keyframe.scan), current, match_params);
     if (!match.T_reference_current) continue;
     const Pose2 proposal = keyframe.T_odom_sensor * *match.T_reference_current;
     const TrackingProblem at_proposal{
