@@ -147,13 +147,14 @@ Json json_from(const FactorStudy& study) {
 }
 
 std::string factor_html(const FactorStudy& study) {
-  std::string html = paragraph(
-      joined({"The buildings of the first ",
-              number(study.num_seeds),
-              " seeds of each class again, with one thing changed at a time: the people, the field "
-              "of view, the number of beams over 270 deg, the scanner, the robot's speed (it "
-              "smears a sweep). Pairs and limits are those of the section before; under fewer "
-              "beams a pair keeps the overlap that all 1081 beams give it."}));
+  std::string html = paragraph(joined(
+      {"The buildings of the first ",
+       number(study.num_seeds),
+       " seeds of each class again, a fifth of their pairs, with one thing changed at a time: the "
+       "people, the field of view, the number of beams over 270 deg, the scanner, the robot's "
+       "speed (it "
+       "smears a sweep). Pairs and limits are those of the section before; under fewer "
+       "beams a pair keeps the overlap that all 1081 beams give it."}));
   html += command_line("setsquare experiment paper --only factors -o out");
   for (const std::vector<FactorOutcome>& outcomes : by_factor(study)) {
     html += element("h3", outcomes.front().factor);

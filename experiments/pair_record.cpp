@@ -37,10 +37,12 @@ std::vector<PairRecord> match_pairs(const SimulatedRun& run, const PairParams& p
     if (params.has_paper) prepared_paper.push_back(prepare_paper(simulated.scan));
   }
   std::vector<PairRecord> records;
+  std::size_t num_near = 0;
   for (std::size_t i = 0; i < run.scans.size(); ++i) {
     for (std::size_t j = i + 1; j < run.scans.size(); ++j) {
       const Pose2 T_i_j = true_relative_pose(run.scans[i], run.scans[j]);
       if (T_i_j.translation().norm() > params.max_distance_m) continue;
+      if (num_near++ % params.every != 0) continue;
       PairRecord record{truth_of_pair(run, i, j, params.judge_scanner), {}, {}};
       record.ours = judge(match(prepared[i], prepared[j]), T_i_j);
       if (params.has_paper) {

@@ -32,12 +32,13 @@ struct PairRecord {
 struct PairParams {
   double max_distance_m = 5.0;  ///< Between the true positions.
   bool has_paper = true;        ///< Otherwise the paper's answers stay empty.
+  std::size_t every = 1;        ///< Of the pairs near enough only each so-manieth is matched.
   /// Who tells overlap and determination: as the scans' own scanner or, to keep the same pairs
   /// under fewer beams, a better one.
   ScannerModel judge_scanner = utm_30lx();
 };
 
-/// All pairs (reference before current) of a run that lie near enough, in the order of the scans.
+/// The pairs (reference before current) of a run that lie near enough, in the order of the scans.
 [[nodiscard]] std::vector<PairRecord> match_pairs(const SimulatedRun& run,
                                                   const PairParams& params);
 

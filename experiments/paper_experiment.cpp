@@ -80,7 +80,7 @@ PaperExperiment run_paper_experiment(const PaperExperimentParams& params,
     return study_buildings({num_seeds(40, 4), {}, {}}, num_threads, tell);
   });
   runner.run("factors", experiment.factors, [&](const Progress& tell) {
-    return study_factors(num_seeds(4, 1), num_threads, tell);
+    return study_factors(num_seeds(40, 4), num_threads, tell);
   });
   runner.run("section_5_2", experiment.circuits, [&](const Progress& tell) {
     CircuitStudyParams circuits;
