@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/core/timestamp.hpp"
+
+namespace setsquare {
+
+/// Which of the map frame's axes a loop closure binds: a corridor leaves one of them open.
+enum class ClosureAxes { kXY, kX, kY };
+
+/// A place visited twice, as a mapper judged it: scan j seen from scan i. Poses are those of
+/// `base`.
+struct LoopClosure {
+  Timestamp stamp_i;
+  Timestamp stamp_j;
+  Pose2 T_i_j;
+  ClosureAxes axes = ClosureAxes::kXY;
+  bool is_accepted = false;  ///< Verified, so that it entered the pose graph.
+  double weight = 0.0;       ///< Its robust weight in the final graph, 0 to 1.
+  std::string reason;        ///< Why it was accepted or refused, in lower-case words.
+};
+
+}  // namespace setsquare

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <memory>
+
+#include "setsquare/graph/pose_graph.hpp"
+
+namespace setsquare {
+
+/// How certain poses are, given all constraints at their weights and the heading measurements, with
+/// node 0's position held. Factors once, then answers any node.
+class MarginalCovariance {
+ public:
+  explicit MarginalCovariance(const PoseGraph& graph);
+  ~MarginalCovariance();
+  MarginalCovariance(MarginalCovariance&&) noexcept;
+  MarginalCovariance& operator=(MarginalCovariance&&) noexcept;
+
+  /// Covariance of (x, y, theta) of a node in the map frame, in m^2, m rad, rad^2.
+  [[nodiscard]] Eigen::Matrix3d of(std::size_t node) const;
+
+  /// Covariance of the relative pose (x, y, theta) of `to` in the frame of `from`.
+  [[nodiscard]] Eigen::Matrix3d between(std::size_t from, std::size_t to) const;
+
+ private:
+  struct Factor;
+  std::unique_ptr<Factor> factor_;
+};
+
+}  // namespace setsquare
