@@ -2,50 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/eval/relation_error.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <optional>
 #include <vector>
+
+#include "setsquare/eval/pose_index.hpp"
 
 namespace setsquare {
 namespace {
 
-constexpr std::int64_t kStampTolerance_ns = 12'000;
 constexpr double kLongTime_s = 60.0;
 
 struct RelationError {
   double seconds = 0.0;
   double translation_m = 0.0;
   double rotation_rad = 0.0;
-};
-
-/// Poses by stamp.
-class PoseIndex {
- public:
-  explicit PoseIndex(const Trajectory& trajectory) : poses_(trajectory) {
-    std::stable_sort(poses_.begin(), poses_.end(), is_earlier);
-  }
-
-  [[nodiscard]] std::optional<Pose2> find(Timestamp stamp) const {
-    const auto after =
-        std::lower_bound(poses_.begin(), poses_.end(), StampedPose{stamp, {}}, is_earlier);
-    std::optional<Pose2> nearest;
-    std::int64_t nearest_ns = kStampTolerance_ns + 1;
-    for (auto candidate = after == poses_.begin() ? after : after - 1;
-         candidate != poses_.end() && candidate <= after;
-         ++candidate) {
-      const std::int64_t distance_ns = std::abs(candidate->stamp.ns - stamp.ns);
-      if (distance_ns >= nearest_ns) continue;
-      nearest_ns = distance_ns;
-      nearest = candidate->pose;
-    }
-    return nearest;
-  }
-
- private:
-  static bool is_earlier(const StampedPose& a, const StampedPose& b) { return a.stamp < b.stamp; }
-
-  Trajectory poses_;
 };
 
 MeanAndDeviation mean_and_deviation(const std::vector<double>& values) {
@@ -87,13 +57,13 @@ RelationErrorReport relation_error(const Trajectory& trajectory,
   RelationErrorReport report;
   std::vector<RelationError> errors;
   for (const Relation& relation : relations) {
-    const auto T_map_reference = poses.find(relation.reference_stamp);
-    const auto T_map_current = poses.find(relation.current_stamp);
-    if (!T_map_reference || !T_map_current) {
+    const auto reference = poses.find(relation.reference_stamp);
+    const auto current = poses.find(relation.current_stamp);
+    if (!reference || !current) {
       ++report.num_missing;
       continue;
     }
-    const Pose2 T_reference_current = T_map_reference->inverse() * *T_map_current;
+    const Pose2 T_reference_current = reference->pose.inverse() * current->pose;
     const Pose2 error = T_reference_current * relation.T_reference_current.inverse();
     errors.push_back({std::abs(seconds_between(relation.reference_stamp, relation.current_stamp)),
                       std::hypot(error.x_m, error.y_m),

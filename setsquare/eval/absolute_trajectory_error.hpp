@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <span>
+
+#include "setsquare/eval/error_statistics.hpp"
+#include "setsquare/eval/pose_pairs.hpp"
+
+namespace setsquare {
+
+/// How a trajectory is laid onto its reference before it is judged.
+enum class TrajectoryAlignment {
+  kBest,   ///< The rigid motion of the least squared distances: best_rigid_alignment().
+  kFirst,  ///< The first poses in time agree.
+  kNone,   ///< Both are in one frame already.
+};
+
+struct AbsoluteTrajectoryError {
+  Pose2 T_truth_map;              ///< The alignment.
+  ErrorStatistics translation_m;  ///< Distances of the aligned positions.
+  ErrorStatistics rotation_rad;   ///< Differences of the aligned headings, wrapped, absolute.
+};
+
+/// The absolute trajectory error (ATE; Sturm et al. 2012) over the pairs, of which there is at
+/// least one.
+[[nodiscard]] AbsoluteTrajectoryError absolute_trajectory_error(std::span<const PosePair> pairs,
+                                                                TrajectoryAlignment alignment);
+
+}  // namespace setsquare

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/eval/chained_reference.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+
+void HopParams::validate() const {
+  const std::array<std::pair<const char*, double>, 5> fields = {
+      {{"max_time_s", max_time_s},
+       {"max_distance_m", max_distance_m},
+       {"max_rotation_rad", max_rotation_rad},
+       {"translation_sigma_m", translation_sigma_m},
+       {"rotation_sigma_rad", rotation_sigma_rad}}};
+  for (const auto& [name, value] : fields) {
+    if (!(value > 0.0) || !std::isfinite(value)) throw ParameterError(name, "must be positive");
+  }
+}
+
+ChainedReference::ChainedReference(std::span<const Relation> relations,
+                                   const Trajectory& trajectory,
+                                   const HopParams& hop_params,
+                                   const RelationGraphParams& graph_params)
+    : graph_(relations, graph_params), trajectory_(trajectory), hop_params_(hop_params) {
+  hop_params_.validate();
+}
+
+std::vector<ChainEnd> ChainedReference::ends_near(Timestamp stamp) const {
+  std::vector<ChainEnd> ends;
+  const auto here = trajectory_.find(stamp);
+  if (here) {
+    const PoseVariance hop = {hop_params_.translation_sigma_m * hop_params_.translation_sigma_m,
+                              hop_params_.rotation_sigma_rad * hop_params_.rotation_sigma_rad};
+    const auto stamps = graph_.stamps();
+    const auto span_ns = static_cast<std::int64_t>(1e9 * hop_params_.max_time_s);
+    auto candidate = std::lower_bound(stamps.begin(), stamps.end(), Timestamp{stamp.ns - span_ns});
+    for (; candidate != stamps.end() && candidate->ns - stamp.ns <= span_ns; ++candidate) {
+      const auto there = trajectory_.find(*candidate);
+      if (!there) continue;
+      const Pose2 T_here_there = here->pose.inverse() * there->pose;
+      if (T_here_there.translation().norm() > hop_params_.max_distance_m) continue;
+      if (std::abs(T_here_there.theta_rad) > hop_params_.max_rotation_rad) continue;
+      const bool is_same = std::abs(candidate->ns - stamp.ns) <= kSameStamp_ns;
+      ends.push_back({static_cast<std::size_t>(candidate - stamps.begin()),
+                      T_here_there,
+                      is_same ? PoseVariance{} : hop});
+    }
+  }
+  return ends;
+}
+
+std::vector<Pose2> ChainedReference::expected(Timestamp stamp_i, Timestamp stamp_j) const {
+  const std::vector<ChainEnd> ends_i = ends_near(stamp_i);
+  const std::vector<ChainEnd> ends_j = ends_near(stamp_j);
+  const auto first = graph_.chain(ends_i, ends_j);
+  if (!first || first->pairs.empty()) return {};
+  const auto second = graph_.chain(ends_i, ends_j, first->pairs);
+  if (!second) return {first->T_i_j};
+  return {first->T_i_j, second->T_i_j};
+}
+
+}  // namespace setsquare

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "setsquare/core/loop_closure.hpp"
+#include "setsquare/eval/pose_index.hpp"
+
+namespace setsquare {
+
+/// How far a closure may be from the truth without being wrong.
+struct ClosureLimits {
+  double max_translation_m = 0.3;
+  double max_rotation_rad = rad_from_deg(5.0);
+};
+
+/// How far a closure is from the truth.
+struct ClosureError {
+  double translation_m = 0.0;  ///< Of the position of j seen from i; along the bound axes only.
+  double rotation_rad = 0.0;   ///< Wrapped, absolute.
+
+  [[nodiscard]] bool is_within(const ClosureLimits& limits) const {
+    return translation_m <= limits.max_translation_m && rotation_rad <= limits.max_rotation_rad;
+  }
+};
+
+/// The error of a closure whose true pose is `T_i_j`. The axes that a closure binds are the map's:
+/// `heading_i_rad`, the heading of i in the map, turns them; it does not matter where both are
+/// bound.
+[[nodiscard]] ClosureError closure_error(const LoopClosure& closure,
+                                         const Pose2& T_i_j,
+                                         double heading_i_rad);
+
+enum class ClosureVerdict {
+  kRight,
+  kWrong,
+  kDisputed,  ///< Two independent poses of the reference disagree whether it is right.
+  kUnjudged,  ///< The reference does not tell.
+};
+
+struct ClosureJudgement {
+  ClosureVerdict verdict = ClosureVerdict::kUnjudged;
+  ClosureError error;  ///< Against the first of the expected poses; 0 where unjudged.
+};
+
+/// T_i_j as a reference tells it, given stamp_i and stamp_j: none, one pose or several independent
+/// ones, the most certain first.
+using ExpectedPoses = std::function<std::vector<Pose2>(Timestamp, Timestamp)>;
+
+/// Judges each closure. `trajectory` gives the headings in the map that closures of a single axis
+/// need; without its heading such a closure stays unjudged.
+[[nodiscard]] std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closures,
+                                                           const ExpectedPoses& expected,
+                                                           const PoseIndex& trajectory,
+                                                           const ClosureLimits& limits = {});
+
+/// The reference is a trajectory: T_i_j by its poses nearest in time, at most
+/// `max_time_difference_s` away.
+[[nodiscard]] ExpectedPoses expected_from_trajectory(const Trajectory& truth,
+                                                     double max_time_difference_s);
+
+}  // namespace setsquare

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/eval/error_statistics.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace setsquare {
+namespace {
+
+double median_of(std::span<const double> values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t middle = sorted.size() / 2;
+  return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
+}
+
+}  // namespace
+
+ErrorStatistics error_statistics(std::span<const double> values) {
+  if (values.empty()) return {};
+  const auto num_values = static_cast<double>(values.size());
+  double sum = 0.0;
+  double sum_of_squares = 0.0;
+  for (const double value : values) {
+    sum += value;
+    sum_of_squares += value * value;
+  }
+  const double mean = sum / num_values;
+  double squared_deviations = 0.0;
+  for (const double value : values) squared_deviations += (value - mean) * (value - mean);
+  return {values.size(),
+          mean,
+          std::sqrt(sum_of_squares / num_values),
+          median_of(values),
+          *std::max_element(values.begin(), values.end()),
+          std::sqrt(squared_deviations / num_values)};
+}
+
+}  // namespace setsquare

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+namespace setsquare {
+
+/// What is told of a set of errors. The deviation is that of the set (divided by n, as evo does),
+/// so that rmse^2 = mean^2 + deviation^2; all are 0 for an empty set.
+struct ErrorStatistics {
+  std::size_t num_values = 0;
+  double mean = 0.0;
+  double rmse = 0.0;
+  double median = 0.0;  ///< The mean of the middle two where there are two.
+  double max = 0.0;
+  double deviation = 0.0;
+};
+
+/// The statistics of values that are not negative, in their unit.
+[[nodiscard]] ErrorStatistics error_statistics(std::span<const double> values);
+
+}  // namespace setsquare
