@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// What `setsquare evaluate` compares; one file each.
+#pragma once
+
+#include <CLI/App.hpp>
+
+namespace setsquare::app {
+
+void add_evaluate_relations(CLI::App& evaluate);
+void add_evaluate_ate(CLI::App& evaluate);
+void add_evaluate_rpe(CLI::App& evaluate);
+void add_evaluate_closures(CLI::App& evaluate);
+void add_evaluate_chains(CLI::App& evaluate);
+
+}  // namespace setsquare::app

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <CLI/Option.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/setsquare/evaluate.hpp"
+#include "apps/setsquare/evaluate_statistics.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/eval/chain_check.hpp"
+#include "setsquare/io/relations.hpp"
+
+namespace setsquare::app {
+namespace {
+
+struct ChainsOptions {
+  std::string relations_path;
+  bool is_json = false;
+};
+
+void evaluate_chains(const ChainsOptions& options) {
+  const ChainCheckParams params;
+  const ChainCheck check = check_chains(read_relations(options.relations_path), params);
+  if (options.is_json) {
+    const nlohmann::ordered_json json = {
+        {"num_relations", check.num_relations},
+        {"num_chained", check.num_chained},
+        {"num_off", check.num_off},
+        {"num_off_disputed", check.num_off_disputed},
+        {"num_disputed", check.num_disputed},
+        {"translation_m", json_from(check.translation_m, 1.0)},
+        {"rotation_deg", json_from(check.rotation_rad, deg_from_rad(1.0))}};
+    std::cout << json.dump(2) << "\n";
+    return;
+  }
+  std::cout << check.num_relations << " relations between stamps " << params.min_time_s
+            << " s and more apart, each foretold by chains of the others:\n"
+            << check.num_chained << " could be, " << check.num_off << " came out off by more than "
+            << params.limits.max_translation_m << " m or "
+            << deg_from_rad(params.limits.max_rotation_rad) << " deg (" << check.num_off_disputed
+            << " of them disputed by a second chain), " << check.num_disputed
+            << " are disputed in all\n"
+            << table_from(check.translation_m, check.rotation_rad);
+}
+
+}  // namespace
+
+void add_evaluate_chains(CLI::App& evaluate) {
+  const auto options = std::make_shared<ChainsOptions>();
+  CLI::App* chains = evaluate.add_subcommand(
+      "chains", "How well chains of relations foretell a relation: whether to believe `closures`");
+  chains->add_option("relations", options->relations_path, "Relations")->required();
+  chains->add_flag("--json", options->is_json, "Print JSON");
+  chains->footer("Example:\n  setsquare evaluate chains intel.relations");
+  chains->callback([options] { evaluate_chains(*options); });
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/App.hpp>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "setsquare/eval/error_statistics.hpp"
+
+namespace setsquare::app {
+
+/// {"mean": ..., "rmse": ..., "median": ..., "max": ..., "deviation": ...}, each times `unit`.
+[[nodiscard]] nlohmann::ordered_json json_from(const ErrorStatistics& statistics, double unit);
+
+/// Two rows under a heading: translation in m, rotation in deg.
+[[nodiscard]] std::string table_from(const ErrorStatistics& translation_m,
+                                     const ErrorStatistics& rotation_rad);
+
+/// --max-time-difference S: how far apart in time two poses of one moment may be. 0.02 s where it
+/// is not given.
+void add_time_difference_option(CLI::App& subcommand, double& seconds);
+
+}  // namespace setsquare::app
