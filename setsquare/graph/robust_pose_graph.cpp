@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <optional>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/dead_reckoning.hpp"
 #include "setsquare/graph/node_sets.hpp"
 #include "setsquare/graph/position_system.hpp"
 
@@ -23,6 +24,7 @@ constexpr double kLastMu = 1e3;
 /// Closures that stand or fall together.
 struct ClosureGroup {
   std::vector<std::size_t> members;  ///< Indices of constraints.
+  bool is_in_play = true;
   double weight = 1.0;
   double squared_error = 0.0;  ///< Mean of the members', each as a share of its threshold.
 };
@@ -46,6 +48,21 @@ std::vector<ClosureGroup> group_closures(const PoseGraph& graph,
   return result;
 }
 
+/// What each constraint weighs at least, for the solve alone.
+std::vector<double> least_weights(const PoseGraph& graph) {
+  NodeSets pieces(graph.T_map_node.size());
+  for (const Constraint& constraint : graph.constraints) {
+    if (constraint.kind != ConstraintKind::kOdometry) continue;
+    pieces.join(constraint.from, constraint.to);
+  }
+  std::vector<double> weights;
+  for (const Constraint& constraint : graph.constraints) {
+    const bool is_joining = pieces.lowest(constraint.from) != pieces.lowest(constraint.to);
+    weights.push_back(is_joining ? kJoiningWeight : 0.0);
+  }
+  return weights;
+}
+
 /// The value that chi-squared of one degree of freedom exceeds as rarely as chi-squared of two
 /// exceeds `two_axes`: erfc(sqrt(x / 2)) = exp(-two_axes / 2), by bisection.
 double threshold_of_one_axis(double two_axes) {
@@ -66,84 +83,162 @@ double tls_weight(double squared_error, double mu) {
   return std::sqrt(mu * (mu + 1.0) / squared_error) - mu;
 }
 
-/// The state of a graduation: weights, and the positions that they lead to.
+/// Weights, and the positions that they lead to.
+struct RobustSolution {
+  std::vector<double> weights;  ///< One a constraint.
+  std::vector<Eigen::Vector2d> positions_m;
+  double cost = 0.0;  ///< Truncated least squares, odometry included.
+};
+
+/// The graduation, and what it works on.
 class Graduation {
  public:
   Graduation(const PoseGraph& graph,
              std::span<const std::size_t> groups,
              const RobustPoseGraphParams& params)
-      : system_(graph),
+      : graph_(graph),
+        params_(params),
+        one_axis_threshold_(threshold_of_one_axis(params.max_squared_error)),
+        system_(graph),
         groups_(group_closures(graph, groups)),
-        positions_m_(graph.T_map_node.size(), graph.T_map_node[0].translation()),
-        two_axes_threshold_(params.max_squared_error),
-        one_axis_threshold_(threshold_of_one_axis(params.max_squared_error)) {
-    NodeSets pieces(graph.T_map_node.size());
+        least_weights_(least_weights(graph)) {
+    solution_.positions_m.assign(graph.T_map_node.size(), graph.T_map_node[0].translation());
     for (const Constraint& constraint : graph.constraints) {
-      const bool is_odometry = constraint.kind == ConstraintKind::kOdometry;
-      weights_.push_back(is_odometry ? constraint.weight : 1.0);
-      if (is_odometry) pieces.join(constraint.from, constraint.to);
+      solution_.weights.push_back(constraint.weight);
     }
-    for (const Constraint& constraint : graph.constraints) {
-      const bool is_joining = pieces.lowest(constraint.from) != pieces.lowest(constraint.to);
-      least_weights_.push_back(is_joining ? kJoiningWeight : 0.0);
+  }
+
+  /// From full weights of all groups.
+  [[nodiscard]] RobustSolution from_all() {
+    for (ClosureGroup& group : groups_) group.is_in_play = true;
+    begin();
+    graduate(first_mu());
+    return solution();
+  }
+
+  /// From full weights of the groups that odometry does not contradict; at last all may join.
+  /// Nothing where odometry contradicts none.
+  [[nodiscard]] std::optional<RobustSolution> from_plausible() {
+    const DeadReckoning reckoning(graph_, system_.terms());
+    bool is_any_out = false;
+    for (ClosureGroup& group : groups_) {
+      const double disagreement = mean_share(group, [&reckoning](const PositionTerm& term) {
+        return reckoning.squared_disagreement(term).value_or(0.0);
+      });
+      group.is_in_play = disagreement <= 1.0;
+      is_any_out = is_any_out || !group.is_in_play;
     }
+    if (!is_any_out) return std::nullopt;
+    begin();
+    graduate(first_mu());
+    for (ClosureGroup& group : groups_) group.is_in_play = true;
+    graduate(1.0);
+    return solution();
+  }
+
+ private:
+  [[nodiscard]] double threshold(std::size_t k) const {
+    return system_.terms()[k].num_bound_axes == 1 ? one_axis_threshold_ : params_.max_squared_error;
+  }
+
+  /// Mean over a group of squared_error_of(term), each as a share of its threshold.
+  template <typename SquaredError>
+  [[nodiscard]] double mean_share(const ClosureGroup& group,
+                                  const SquaredError& squared_error_of) const {
+    double sum = 0.0;
+    for (const std::size_t k : group.members) {
+      sum += squared_error_of(system_.terms()[k]) / threshold(k);
+    }
+    return sum / static_cast<double>(group.members.size());
+  }
+
+  void set_weight(ClosureGroup& group, double weight) {
+    group.weight = weight;
+    for (const std::size_t k : group.members) solution_.weights[k] = weight;
+  }
+
+  /// Full weights of the groups in play, and the positions by them.
+  void begin() {
+    for (ClosureGroup& group : groups_) set_weight(group, group.is_in_play ? 1.0 : 0.0);
+    solve();
+    solve();  // Takes out what rounding of the first has left.
   }
 
   /// Positions by the weights as they are, and the groups' squared errors there.
   void solve() {
-    std::vector<double> weights = weights_;
+    std::vector<double> weights = solution_.weights;
     for (std::size_t k = 0; k < weights.size(); ++k) {
       weights[k] = std::max(weights[k], least_weights_[k]);
     }
-    system_.solve(weights, positions_m_);
+    system_.solve(weights, solution_.positions_m);
     for (ClosureGroup& group : groups_) {
-      double sum = 0.0;
-      for (const std::size_t k : group.members) sum += share_of_threshold(k);
-      group.squared_error = sum / static_cast<double>(group.members.size());
+      group.squared_error = mean_share(group, [this](const PositionTerm& term) {
+        return squared_error(term, solution_.positions_m);
+      });
     }
   }
 
-  [[nodiscard]] double largest_squared_error() const {
+  /// Near convex: so small that no weight in play vanishes at first (yang2020, remark 5).
+  [[nodiscard]] double first_mu() const {
     double largest = 0.0;
-    for (const ClosureGroup& group : groups_) largest = std::max(largest, group.squared_error);
-    return largest;
+    for (const ClosureGroup& group : groups_) {
+      if (group.is_in_play) largest = std::max(largest, group.squared_error);
+    }
+    return 1.0 / std::max(1.0 / kLastMu, 2.0 * largest - 1.0);
   }
 
   /// Weights by the squared errors. False where all are 0 or 1 and were the same before.
   [[nodiscard]] bool reweight(double mu) {
     bool is_moving = false;
     for (ClosureGroup& group : groups_) {
-      const double weight = tls_weight(group.squared_error, mu);
+      const double weight = group.is_in_play ? tls_weight(group.squared_error, mu) : 0.0;
       is_moving = is_moving || weight != group.weight || (weight > 0.0 && weight < 1.0);
-      group.weight = weight;
-      for (const std::size_t k : group.members) weights_[k] = weight;
+      set_weight(group, weight);
     }
     return is_moving;
   }
 
-  void write_to(PoseGraph& graph) const {
-    for (std::size_t k = 0; k < weights_.size(); ++k) graph.constraints[k].weight = weights_[k];
-    for (std::size_t node = 0; node < positions_m_.size(); ++node) {
-      graph.T_map_node[node].x_m = positions_m_[node].x();
-      graph.T_map_node[node].y_m = positions_m_[node].y();
+  /// The step of mu is longer than asked for where the graduation would not end in time.
+  void graduate(double mu) {
+    const double num_steps = static_cast<double>(params_.max_iterations);
+    const double step = std::max(params_.divide_mu_by, std::pow(kLastMu / mu, 1.0 / num_steps));
+    for (int iteration = 0; iteration < params_.max_iterations && reweight(mu); ++iteration) {
+      solve();
+      mu *= step;
     }
   }
 
- private:
-  [[nodiscard]] double share_of_threshold(std::size_t k) const {
-    const PositionTerm& term = system_.terms()[k];
-    return squared_error(term, positions_m_) /
-           (term.num_bound_axes == 1 ? one_axis_threshold_ : two_axes_threshold_);
+  [[nodiscard]] RobustSolution solution() const {
+    RobustSolution result = solution_;
+    for (std::size_t k = 0; k < graph_.constraints.size(); ++k) {
+      if (graph_.constraints[k].kind != ConstraintKind::kOdometry) continue;
+      result.cost += result.weights[k] * squared_error(system_.terms()[k], result.positions_m);
+    }
+    for (const ClosureGroup& group : groups_) {
+      const double share = std::min(1.0, group.squared_error);
+      for (const std::size_t k : group.members) result.cost += share * threshold(k);
+    }
+    return result;
   }
 
+  const PoseGraph& graph_;
+  const RobustPoseGraphParams& params_;
+  double one_axis_threshold_ = 0.0;
   PositionSystem system_;
   std::vector<ClosureGroup> groups_;
-  std::vector<Eigen::Vector2d> positions_m_;
-  std::vector<double> weights_;
   std::vector<double> least_weights_;
-  double two_axes_threshold_ = 0.0;
-  double one_axis_threshold_ = 0.0;
+  RobustSolution solution_;
 };
+
+void write_to(PoseGraph& graph, const RobustSolution& solution) {
+  for (std::size_t k = 0; k < solution.weights.size(); ++k) {
+    graph.constraints[k].weight = solution.weights[k];
+  }
+  for (std::size_t node = 0; node < solution.positions_m.size(); ++node) {
+    graph.T_map_node[node].x_m = solution.positions_m[node].x();
+    graph.T_map_node[node].y_m = solution.positions_m[node].y();
+  }
+}
 
 }  // namespace
 
@@ -164,20 +259,13 @@ void solve_robustly(PoseGraph& graph,
   }
   if (graph.T_map_node.empty()) return;
   Graduation graduation(graph, groups, params);
-  graduation.solve();
-  graduation.solve();  // Takes out what rounding of the first has left.
-  // Near convex at first: mu so small that every weight is above a half (yang2020, remark 5). The
-  // step is made longer where the graduation would not end within max_iterations.
-  const double largest = graduation.largest_squared_error();
-  double mu = 1.0 / std::max(1.0 / kLastMu, 2.0 * largest - 1.0);
-  const double num_steps = static_cast<double>(params.max_iterations);
-  const double step = std::max(params.divide_mu_by, std::pow(kLastMu / mu, 1.0 / num_steps));
-  for (int iteration = 0; iteration < params.max_iterations; ++iteration) {
-    if (!graduation.reweight(mu)) break;
-    graduation.solve();
-    mu *= step;
+  RobustSolution best = graduation.from_all();
+  const bool is_any_refused = std::ranges::any_of(best.weights, [](double w) { return w < 0.5; });
+  if (is_any_refused) {
+    const auto second = graduation.from_plausible();
+    if (second && second->cost < best.cost) best = *second;
   }
-  graduation.write_to(graph);
+  write_to(graph, best);
 }
 
 }  // namespace setsquare

@@ -12,20 +12,38 @@
 namespace setsquare {
 
 struct RobustPoseGraphParams {
-  /// Squared error beyond which a closure that binds both axes is taken for wrong ...
+  /// Squared error beyond which a closure that binds both axes is taken for wrong: chi-squared of
+  /// two degrees of freedom. One that binds a single axis has the threshold that chi-squared of one
+  /// degree exceeds as rarely (12.9 for 16; one right closure in 3000).
   double max_squared_error = 16.0;
-  double divide_mu_by = 1.4;  ///< Step of the graduation.
-  int max_iterations = 60;
+  double divide_mu_by = 1.4;  ///< Step of the graduation: 1 / mu shrinks by this factor.
+  int max_iterations = 60;    ///< Of a graduation; the step is longer where it would need more.
 
   /// Throws ParameterError that names the field.
   void validate() const;
 };
 
 /// Weights of the loop closures and positions of the nodes, headings as they are: truncated least
-/// squares by graduated non-convexity, started from full weights (a warm start rejects the right
-/// closure after a long loop), each step one linear solve (solve_positions).
+/// squares by graduated non-convexity, each step one linear solve.
+///
+/// 1. Graduation from full weights of all closures (a warm start rejects the right closure after a
+///    long loop).
+/// 2. Where closures were refused: a second graduation, from full weights of those that odometry's
+///    own covariance does not exclude; all may join when it ends. Wrong closures that outnumber the
+///    right ones can pull the first start where the right ones look wrong.
+/// 3. The one with the lower cost stays: sum of the squared errors, closures' truncated at their
+///    threshold. So odometry that is worse than its information says does no harm.
+///
+/// The squared error of a closure is e^T W e: W is the information of its translation given the
+/// rotation, and e has the part taken out that a rotation at variance with the headings explains
+/// (position_system.hpp). The rotation itself is not judged. Whoever trusts a closure's rotation
+/// less than the headings' own errors passes a W without that coupling.
+///
 /// `groups`: one entry a constraint; closures of one group stand or fall together, by their mean
-/// squared error; empty: each stands alone. Odometry constraints keep their weight.
+/// squared error as a share of their thresholds; empty: each stands alone. Odometry constraints
+/// keep their weight. A piece of track that odometry does not join to node 0 still gets a position
+/// where all closures that join it are refused: the one that they agree upon best. Throws
+/// ParameterError where a node hangs on nothing, or a parameter or the graph is not valid.
 void solve_robustly(PoseGraph& graph,
                     std::span<const std::size_t> groups = {},
                     const RobustPoseGraphParams& params = {});
