@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/alignment.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstring>
 
 #include "setsquare/matching/lanes.hpp"
+#include "setsquare/matching/sector_lanes.hpp"
 
 namespace setsquare {
 namespace {
@@ -16,8 +14,6 @@ namespace {
 constexpr float kClutterWeight = 0.3F;
 /// Walls that agree face the same way within this angle's cosine.
 constexpr float kMinNormalCosine = 0.7F;
-/// Offsets beyond it are no surface's.
-constexpr float kHalfNoSurface_m = 0.5F * SurfaceImage::kNoSurface_m;
 
 /// Sums over the samples, a lane each; the six products and three moments of b = (n_x, n_y,
 /// n_y q_x - n_x q_y), the derivative of a distance by a motion of the image's frame.
@@ -26,27 +22,6 @@ struct Sums {
   Floats xx{}, xy{}, yy{}, xt{}, yt{}, tt{};
   Floats gx{}, gy{}, gt{};
 };
-
-/// The same point of four samples' sectors, an array a field.
-struct SectorLanes {
-  Floats normal_x, normal_y, offset_m, free_square_m2;
-};
-
-SectorLanes gather(const SurfaceSector* sectors, Ints index) {
-  static_assert(sizeof(SurfaceSector) == sizeof(Floats));
-  std::array<Floats, kLanes> rows;
-  for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    std::memcpy(&rows[lane], &sectors[index[lane]], sizeof(Floats));
-  }
-  const Floats a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
-  const Floats b = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
-  const Floats c = __builtin_shufflevector(rows[0], rows[1], 2, 6, 3, 7);
-  const Floats d = __builtin_shufflevector(rows[2], rows[3], 2, 6, 3, 7);
-  return {__builtin_shufflevector(a, b, 0, 1, 4, 5),
-          __builtin_shufflevector(a, b, 2, 3, 6, 7),
-          __builtin_shufflevector(c, d, 0, 1, 4, 5),
-          __builtin_shufflevector(c, d, 2, 3, 6, 7)};
-}
 
 struct MovedLanes {
   Floats x, y, normal_x, normal_y;

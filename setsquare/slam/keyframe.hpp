@@ -3,19 +3,32 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/surface_image.hpp"
+#include "setsquare/matching/surface_points.hpp"
 #include "setsquare/scan/scan.hpp"
 
 namespace setsquare {
 
-/// A scan kept as a part of the submap, with its pose by tracking.
+/// A scan kept, with its pose by tracking. Never changed once it is made, so that the tracker and
+/// the mapper share it.
 struct Keyframe {
   std::size_t scan_index = 0;
   Pose2 T_odom_sensor;
-  SurfaceImage image;
   Scan scan;  ///< For the guess-free matcher, should tracking get lost.
+  SurfacePoints points;
+  SurfaceImage image;
+};
+
+using KeyframePtr = std::shared_ptr<const Keyframe>;
+
+/// What one scan of a submap saw, and where it stands in the submap's frame. The image is somebody
+/// else's and must outlive this.
+struct PlacedImage {
+  const SurfaceImage* image = nullptr;
+  Pose2 T_submap_sensor;
 };
 
 }  // namespace setsquare

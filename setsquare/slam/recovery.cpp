@@ -26,17 +26,18 @@ MatchParams params_of_a_known_place() {
 }  // namespace
 
 std::optional<RecoveredFit> recover(const TrackingProblem& problem,
+                                    std::span<const KeyframePtr> keyframes,
                                     const Scan& scan,
                                     const SubmapFit& tracked,
                                     const RecoveryParams& params,
                                     const SubmapRefinementParams& refinement) {
   const PreparedScan current = prepare(scan);
   const MatchParams match_params = params_of_a_known_place();
-  const std::size_t num_tried = std::min(params.num_keyframes, problem.submap.size());
+  const std::size_t num_tried = std::min(params.num_keyframes, keyframes.size());
   std::optional<RecoveredFit> best;
   double best_score = tracked.alignment.score() + params.min_gain;
   for (std::size_t k = 0; k < num_tried; ++k) {
-    const Keyframe& keyframe = problem.submap[problem.submap.size() - 1 - k];
+    const Keyframe& keyframe = *keyframes[keyframes.size() - 1 - k];
     const MatchResult match = setsquare::match(prepare(keyframe.scan), current, match_params);
     if (!match.T_reference_current) continue;
     const Pose2 proposal = keyframe.T_odom_sensor * *match.T_reference_current;

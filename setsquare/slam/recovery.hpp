@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/slam/submap_refinement.hpp"
@@ -16,10 +17,11 @@ struct RecoveredFit {
 };
 
 /// Looks for a scan that does not fit where it was tracked. The guess-free matcher places it
-/// against the latest keyframes, one after the other, anywhere and at any turn; each proposal is
-/// refined in the whole submap. Nothing where none is convincingly better than `tracked`: a place
-/// far from the expected one needs a match that stands alone and a high score.
+/// against the latest of the submap's keyframes, one after the other, anywhere and at any turn;
+/// each proposal is refined in the whole submap. Nothing where none is convincingly better than
+/// `tracked`: a place far from the expected one needs a match that stands alone and a high score.
 [[nodiscard]] std::optional<RecoveredFit> recover(const TrackingProblem& problem,
+                                                  std::span<const KeyframePtr> keyframes,
                                                   const Scan& scan,
                                                   const SubmapFit& tracked,
                                                   const RecoveryParams& params,

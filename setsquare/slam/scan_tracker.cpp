@@ -3,6 +3,8 @@
 #include "setsquare/slam/scan_tracker.hpp"
 
 #include <cmath>
+#include <memory>
+#include <utility>
 
 #include "setsquare/slam/corridor_search.hpp"
 #include "setsquare/slam/recovery.hpp"
@@ -15,7 +17,7 @@ ScanTracker::ScanTracker(const ScanTrackerParams& params)
 }
 
 TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
-  const SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
+  SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
   const bool sees_enough = points.size() >= params_.min_points;
   const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
   TrackedPose tracked;
@@ -24,14 +26,14 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
     tracked.status = TrackStatus::kLost;
     tracked.score = 0.0;
   } else if (!submap_.empty()) {
-    tracked = place(scan, points, predicted, T_wheels_sensor);
+    tracked = place(scan, sample_surface(points, points.size()), predicted, T_wheels_sensor);
   }
   // A scan that sees next to nothing tells nothing against the submap.
   if (sees_enough) {
     num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
     tracked.is_restart = num_lost_ >= params_.max_lost_scans;
     if (tracked.is_restart) start_anew();
-    keep_if_far(scan, points, tracked);
+    keep_if_far(scan, std::move(points), tracked);
   }
   motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
   if (tracked.status == TrackStatus::kRecovered) motion_.restart();
@@ -40,17 +42,17 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
 }
 
 TrackedPose ScanTracker::place(const Scan& scan,
-                               const SurfacePoints& points,
+                               const SurfaceSamples& points,
                                const Pose2& predicted,
                                const std::optional<Pose2>& T_wheels_sensor) {
   const PredictionTrust& trust = motion_.has_odometry(T_wheels_sensor)
                                      ? params_.trust_in_odometry
                                      : params_.trust_in_last_motion;
-  const TrackingProblem problem{submap_, points, predicted, trust, marks_};
+  const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
   if (fit.alignment.score() < params_.recovery.below_score) {
-    const auto found = recover(problem, scan, fit, params_.recovery, params_.refinement);
+    const auto found = recover(problem, submap_, scan, fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
     if (found && found->is_far) status = TrackStatus::kRecovered;
   }
@@ -74,24 +76,31 @@ TrackedPose ScanTracker::place(const Scan& scan,
 /// The old keyframes' poses no longer mean anything to the coming scans, nor does the last motion.
 void ScanTracker::start_anew() {
   submap_.clear();
+  submap_images_.clear();
   motion_.restart();
   num_lost_ = 0;
 }
 
-void ScanTracker::keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked) {
+void ScanTracker::keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked) {
   if (!submap_.empty()) {
     if (tracked.status == TrackStatus::kLost) return;  // It would stand at a guessed place.
-    const Pose2 moved = submap_.back().T_odom_sensor.inverse() * tracked.T_odom_sensor;
+    const Pose2 moved = submap_.back()->T_odom_sensor.inverse() * tracked.T_odom_sensor;
     const bool is_far = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
                         std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
     if (!is_far) return;
-    if (submap_.size() == params_.num_keyframes) submap_.erase(submap_.begin());
+    if (submap_.size() == params_.num_keyframes) {
+      submap_.erase(submap_.begin());
+      submap_images_.erase(submap_images_.begin());
+    }
   }
   tracked.is_keyframe = true;
-  submap_.push_back({.scan_index = num_scans_,
-                     .T_odom_sensor = tracked.T_odom_sensor,
-                     .image = SurfaceImage(scan, points, params_.image),
-                     .scan = scan});
+  SurfaceImage image(scan, points, params_.image);
+  submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
+                                                        .T_odom_sensor = tracked.T_odom_sensor,
+                                                        .scan = scan,
+                                                        .points = std::move(points),
+                                                        .image = std::move(image)}));
+  submap_images_.push_back({&submap_.back()->image, tracked.T_odom_sensor});
 }
 
 }  // namespace setsquare

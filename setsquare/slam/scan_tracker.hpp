@@ -47,17 +47,21 @@ class ScanTracker {
   /// there is no submap.
   TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor);
 
+  /// The scans kept that the next one is compared with, the latest at the back.
+  [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
+
  private:
   TrackedPose place(const Scan& scan,
-                    const SurfacePoints& points,
+                    const SurfaceSamples& points,
                     const Pose2& predicted,
                     const std::optional<Pose2>& T_wheels_sensor);
   void start_anew();
-  void keep_if_far(const Scan& scan, const SurfacePoints& points, TrackedPose& tracked);
+  void keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked);
 
   ScanTrackerParams params_;
   MotionPrediction motion_;
-  std::vector<Keyframe> submap_;
+  std::vector<KeyframePtr> submap_;
+  std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.
   PointMarks marks_;
   std::size_t num_scans_ = 0;
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.

@@ -1,89 +1,132 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Four points at a time: most of a mapper's time is spent here (benchmarks/stages, submap).
 #include "setsquare/slam/submap_alignment.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <cstring>
+
+#include "setsquare/matching/sector_lanes.hpp"
 
 namespace setsquare {
 namespace {
 
-constexpr std::uint8_t kCompared = 1;
-constexpr std::uint8_t kExplained = 2;
-constexpr std::uint8_t kContradicted = 4;
+// What a point met, as bits.
+constexpr std::int32_t kCompared = 1;
+constexpr std::int32_t kExplained = 2;
+constexpr std::int32_t kContradicted = 4;
 
 constexpr float kMinNormalAgreement = 0.7F;  ///< Cosine between the two surfaces' normals.
 constexpr float kExplainedDistance_m = 0.10F;
 
-/// Sums of weighted outer products of the rows (n_x, n_y, n . perp(p)), in the keyframe's frame.
-struct LineSums {
-  double xx = 0.0, xy = 0.0, xt = 0.0, yy = 0.0, yt = 0.0, tt = 0.0;
-  double x = 0.0, y = 0.0, t = 0.0;
-  std::int64_t num_pairs = 0;
+Ints spread_bits(std::int32_t value) { return Ints{value, value, value, value}; }
 
-  /// A point `distance_m` off the line of normal n; its arm is p less the sensor's place.
-  void add(float nx, float ny, float arm_x, float arm_y, float distance_m, float weight) {
-    const float nt = ny * arm_x - nx * arm_y;
-    const float wx = weight * nx;
-    const float wy = weight * ny;
-    const float wt = weight * nt;
+Ints load_bits(const std::int32_t* values) {
+  Ints bits;
+  std::memcpy(&bits, values, sizeof bits);
+  return bits;
+}
+
+/// A rigid motion, four times.
+struct MotionLanes {
+  explicit MotionLanes(const Pose2& T)
+      : c(spread(static_cast<float>(std::cos(T.theta_rad)))),
+        s(spread(static_cast<float>(std::sin(T.theta_rad)))),
+        x_m(spread(static_cast<float>(T.x_m))),
+        y_m(spread(static_cast<float>(T.y_m))) {}
+  Floats c, s, x_m, y_m;
+};
+
+/// Four points in the frame of an image, with what the image shows in their directions.
+struct ComparedLanes {
+  ComparedLanes(const SurfaceImage& image,
+                const SurfaceSamples& points,
+                std::size_t first,
+                const MotionLanes& T) {
+    const Floats px = load_lanes(&points.x_m[first]);
+    const Floats py = load_lanes(&points.y_m[first]);
+    arm_x = T.c * px - T.s * py;
+    arm_y = T.s * px + T.c * py;
+    x_m = arm_x + T.x_m;
+    y_m = arm_y + T.y_m;
+    sector = gather(image.sectors().data(), image.sector_indices(x_m, y_m));
+    constexpr Ints kLane{0, 1, 2, 3};
+    const Ints is_point =
+        kLane < spread_bits(static_cast<std::int32_t>(points.size() - first));  // not padding
+    is_compared = is_point & (sector.offset_m < spread(kHalfNoSurface_m));
+    distance_m =
+        where(is_compared, sector.normal_x * x_m + sector.normal_y * y_m - sector.offset_m);
+  }
+
+  Floats arm_x, arm_y;  ///< The point less the place of its own sensor.
+  Floats x_m, y_m;
+  SectorLanes sector;
+  Floats distance_m;
+  Ints is_compared;
+};
+
+/// Sums of weighted outer products of the rows (n_x, n_y, n . perp(arm)), in the image's frame.
+struct LineSums {
+  Floats xx{}, xy{}, xt{}, yy{}, yt{}, tt{};
+  Floats x{}, y{}, t{};
+  Ints num_pairs{};
+
+  void add(const ComparedLanes& p, Floats weight) {
+    const Floats nx = p.sector.normal_x;
+    const Floats ny = p.sector.normal_y;
+    const Floats nt = ny * p.arm_x - nx * p.arm_y;
+    const Floats wx = weight * nx;
+    const Floats wy = weight * ny;
+    const Floats wt = weight * nt;
     xx += wx * nx;
     xy += wx * ny;
     xt += wx * nt;
     yy += wy * ny;
     yt += wy * nt;
     tt += wt * nt;
-    x += wx * distance_m;
-    y += wy * distance_m;
-    t += wt * distance_m;
+    x += wx * p.distance_m;
+    y += wy * p.distance_m;
+    t += wt * p.distance_m;
   }
 };
 
-/// A rigid motion in single precision, as the kernels need it.
-struct Motion {
-  explicit Motion(const Pose2& T)
-      : c(static_cast<float>(std::cos(T.theta_rad))),
-        s(static_cast<float>(std::sin(T.theta_rad))),
-        x_m(static_cast<float>(T.x_m)),
-        y_m(static_cast<float>(T.y_m)) {}
-  float c, s, x_m, y_m;
-};
-
-/// What the keyframe says of a point: `square_m2` is its squared range from the keyframe's sensor.
-std::uint8_t mark_of(bool may_be_same, float distance_m, float square_m2, float free_square_m2) {
-  if (may_be_same && std::abs(distance_m) < kExplainedDistance_m) return kCompared | kExplained;
-  return square_m2 < free_square_m2 ? kCompared | kContradicted : kCompared;
+/// What the image says of the points.
+Ints bits_of(const ComparedLanes& p, Ints may_be_same) {
+  const Ints is_explained =
+      p.is_compared & may_be_same & (absolute(p.distance_m) < spread(kExplainedDistance_m));
+  const Ints is_seen_through =
+      p.is_compared & (p.x_m * p.x_m + p.y_m * p.y_m < p.sector.free_square_m2) & ~is_explained;
+  return (p.is_compared & kCompared) | (is_explained & kExplained) |
+         (is_seen_through & kContradicted);
 }
 
 LineSums sum_lines(const SurfaceImage& image,
-                   const SurfacePoints& points,
-                   const Pose2& T_keyframe_sensor,
+                   const SurfaceSamples& points,
+                   const Pose2& T_image_sensor,
                    const AlignmentScale& scale,
                    PointMarks& marks) {
-  const Motion T(T_keyframe_sensor);
-  const auto gate_m = static_cast<float>(scale.gate_m);
-  const auto inverse_square = static_cast<float>(1.0 / (scale.scale_m * scale.scale_m));
+  const MotionLanes T(T_image_sensor);
+  const Floats gate_m = spread(static_cast<float>(scale.gate_m));
+  const Floats inverse_square = spread(static_cast<float>(1.0 / (scale.scale_m * scale.scale_m)));
   LineSums sums;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const float arm_x = T.c * points.x_m[i] - T.s * points.y_m[i];
-    const float arm_y = T.s * points.x_m[i] + T.c * points.y_m[i];
-    const float x_m = arm_x + T.x_m;
-    const float y_m = arm_y + T.y_m;
-    const SurfaceSector& sector = image.at(x_m, y_m);
-    if (sector.offset_m == SurfaceImage::kNoSurface_m) continue;
-    const float distance_m = SurfaceImage::signed_distance_m(sector, x_m, y_m);
-    const float normal_x = T.c * points.normal_x[i] - T.s * points.normal_y[i];
-    const float normal_y = T.s * points.normal_x[i] + T.c * points.normal_y[i];
-    const float agreement = normal_x * sector.normal_x + normal_y * sector.normal_y;
-    const bool faces_alike = agreement > kMinNormalAgreement;
+  for (std::size_t i = 0; i < points.padded_size(); i += kLanes) {
+    const ComparedLanes p(image, points, i, T);
+    const Floats own_x = load_lanes(&points.normal_x[i]);
+    const Floats own_y = load_lanes(&points.normal_y[i]);
+    const Floats agreement = (T.c * own_x - T.s * own_y) * p.sector.normal_x +
+                             (T.s * own_x + T.c * own_y) * p.sector.normal_y;
+    const Ints faces_alike = agreement > spread(kMinNormalAgreement);
     // Where no line fits (a post, clutter) nearness is all that can be asked.
-    const bool has_normal = points.normal_x[i] != 0.0F || points.normal_y[i] != 0.0F;
-    marks[i] |= mark_of(
-        faces_alike || !has_normal, distance_m, x_m * x_m + y_m * y_m, sector.free_square_m2);
-    if (!faces_alike) continue;
-    ++sums.num_pairs;
-    if (std::abs(distance_m) > gate_m) continue;
-    const float root = 1.0F / (1.0F + distance_m * distance_m * inverse_square);
-    sums.add(sector.normal_x, sector.normal_y, arm_x, arm_y, distance_m, root * root);
+    const Ints has_no_normal = (own_x == Floats{}) & (own_y == Floats{});
+    const Ints bits = load_bits(&marks[i]) | bits_of(p, faces_alike | has_no_normal);
+    std::memcpy(&marks[i], &bits, sizeof bits);
+    const Ints is_pair = p.is_compared & faces_alike;
+    sums.num_pairs -= is_pair;  // a set mask is -1
+    const Floats ratio = p.distance_m * p.distance_m * inverse_square;
+    const Floats root = 1.0F / (1.0F + ratio);
+    const Ints is_near = is_pair & (absolute(p.distance_m) <= gate_m);
+    sums.add(p, where(is_near, root * root));
   }
   return sums;
 }
@@ -92,62 +135,73 @@ void add_rotated(const LineSums& sums, double heading_rad, SubmapAlignment& alig
   const double c = std::cos(heading_rad);
   const double s = std::sin(heading_rad);
   Eigen::Matrix3d hessian;
-  hessian << sums.xx, sums.xy, sums.xt, sums.xy, sums.yy, sums.yt, sums.xt, sums.yt, sums.tt;
+  hessian << sum_of(sums.xx), sum_of(sums.xy), sum_of(sums.xt),  //
+      sum_of(sums.xy), sum_of(sums.yy), sum_of(sums.yt),         //
+      sum_of(sums.xt), sum_of(sums.yt), sum_of(sums.tt);
   Eigen::Matrix3d rotation;
   rotation << c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0;
   alignment.hessian += rotation * hessian * rotation.transpose();
-  alignment.gradient += rotation * Eigen::Vector3d(sums.x, sums.y, sums.t);
+  alignment.gradient += rotation * Eigen::Vector3d(sum_of(sums.x), sum_of(sums.y), sum_of(sums.t));
+}
+
+void count_marks(const PointMarks& marks, SubmapAlignment& alignment) {
+  int num_compared = 0;
+  int num_explained = 0;
+  int num_contradicted = 0;
+  for (const std::int32_t mark : marks) {
+    num_compared += (mark & kCompared) != 0;
+    num_explained += (mark & kExplained) != 0;
+    num_contradicted += (mark & (kExplained | kContradicted)) == kContradicted;
+  }
+  alignment.num_compared = num_compared;
+  alignment.num_explained = num_explained;
+  alignment.num_contradicted = num_contradicted;
 }
 
 }  // namespace
 
-SubmapAlignment align_with_submap(std::span<const Keyframe> keyframes,
-                                  const SurfacePoints& points,
-                                  const Pose2& T_odom_sensor,
+SubmapAlignment align_with_submap(std::span<const PlacedImage> submap,
+                                  const SurfaceSamples& points,
+                                  const Pose2& T_submap_sensor,
                                   const AlignmentScale& scale,
                                   PointMarks& marks) {
-  marks.assign(points.size(), 0);
+  marks.assign(points.padded_size(), 0);
   SubmapAlignment alignment;
-  std::int64_t num_pairs = 0;
-  for (const Keyframe& keyframe : keyframes) {
-    const Pose2 T_keyframe_sensor = keyframe.T_odom_sensor.inverse() * T_odom_sensor;
-    const LineSums sums = sum_lines(keyframe.image, points, T_keyframe_sensor, scale, marks);
-    add_rotated(sums, keyframe.T_odom_sensor.theta_rad, alignment);
-    num_pairs += sums.num_pairs;
+  double num_pairs = 0.0;
+  for (const PlacedImage& placed : submap) {
+    const Pose2 T_image_sensor = placed.T_submap_sensor.inverse() * T_submap_sensor;
+    const LineSums sums = sum_lines(*placed.image, points, T_image_sensor, scale, marks);
+    add_rotated(sums, placed.T_submap_sensor.theta_rad, alignment);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) num_pairs += sums.num_pairs[lane];
   }
-  for (const std::uint8_t mark : marks) {
-    alignment.num_compared += (mark & kCompared) != 0 ? 1.0 : 0.0;
-    alignment.num_explained += (mark & kExplained) != 0 ? 1.0 : 0.0;
-    alignment.num_contradicted +=
-        (mark & (kExplained | kContradicted)) == kContradicted ? 1.0 : 0.0;
-  }
-  const double sightings =
-      std::max(1.0, static_cast<double>(num_pairs) / std::max(1.0, alignment.num_compared));
+  count_marks(marks, alignment);
+  const double sightings = std::max(1.0, num_pairs / std::max(1.0, alignment.num_compared));
   alignment.hessian /= sightings;
   alignment.gradient /= sightings;
   return alignment;
 }
 
-double closeness_to_submap(std::span<const Keyframe> keyframes,
-                           const SurfacePoints& points,
-                           const Pose2& T_odom_sensor,
+double closeness_to_submap(std::span<const PlacedImage> submap,
+                           const SurfaceSamples& points,
+                           const Pose2& T_submap_sensor,
                            double scale_m) {
-  const auto inverse_square = static_cast<float>(1.0 / (scale_m * scale_m));
+  const Floats inverse_square = spread(static_cast<float>(1.0 / (scale_m * scale_m)));
   double sum = 0.0;
-  std::int64_t count = 0;
-  for (const Keyframe& keyframe : keyframes) {
-    const Motion T(keyframe.T_odom_sensor.inverse() * T_odom_sensor);
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const float x_m = T.c * points.x_m[i] - T.s * points.y_m[i] + T.x_m;
-      const float y_m = T.s * points.x_m[i] + T.c * points.y_m[i] + T.y_m;
-      const SurfaceSector& sector = keyframe.image.at(x_m, y_m);
-      if (sector.offset_m == SurfaceImage::kNoSurface_m) continue;
-      const float distance_m = SurfaceImage::signed_distance_m(sector, x_m, y_m);
-      sum += 1.0F / (1.0F + distance_m * distance_m * inverse_square);
-      ++count;
+  double count = 0.0;
+  for (const PlacedImage& placed : submap) {
+    const MotionLanes T(placed.T_submap_sensor.inverse() * T_submap_sensor);
+    Floats closeness{};
+    Ints num_compared{};
+    for (std::size_t i = 0; i < points.padded_size(); i += kLanes) {
+      const ComparedLanes p(*placed.image, points, i, T);
+      const Floats ratio = p.distance_m * p.distance_m * inverse_square;
+      closeness += where(p.is_compared, 1.0F / (1.0F + ratio));
+      num_compared -= p.is_compared;
     }
+    sum += sum_of(closeness);
+    for (std::size_t lane = 0; lane < kLanes; ++lane) count += num_compared[lane];
   }
-  return count > 0 ? sum / static_cast<double>(count) : 0.0;
+  return count > 0.0 ? sum / count : 0.0;
 }
 
 }  // namespace setsquare

@@ -12,8 +12,8 @@ namespace setsquare {
 
 /// What a scan is compared with: the submap, and the memory that comparisons reuse.
 struct TrackingProblem {
-  std::span<const Keyframe> submap;
-  const SurfacePoints& points;
+  std::span<const PlacedImage> submap;  ///< In the odom frame.
+  const SurfaceSamples& points;
   Pose2 T_odom_predicted;  ///< Where the scan is expected ...
   PredictionTrust trust;   ///< ... and how far that is believed.
   PointMarks& marks;

@@ -20,30 +20,34 @@ using testing::PoseNear;
 using testing::PoseTolerance;
 using testing::scan_of_walls;
 
-Keyframe keyframe_at(const Pose2& T_odom_sensor, const Scan& scan) {
+SurfaceImage image_of(const Scan& scan) {
+  return SurfaceImage(scan, surface_points_from_scan(scan));
+}
+
+/// Every return of a scan.
+SurfaceSamples points_of(const Scan& scan) {
   const SurfacePoints points = surface_points_from_scan(scan);
-  return {.scan_index = 0,
-          .T_odom_sensor = T_odom_sensor,
-          .image = SurfaceImage(scan, points),
-          .scan = scan};
+  return sample_surface(points, points.size());
 }
 
 class SubmapAlignmentTest : public ::testing::Test {
  protected:
   SubmapAlignmentTest() {
-    for (const Pose2& pose : {Pose2{1.0, 1.0, 0.3}, Pose2{1.3, 1.1, 0.4}}) {
-      submap_.push_back(keyframe_at(pose, scan_of_walls(l_shaped_room(), pose)));
-    }
+    const std::vector<Pose2> poses = {{1.0, 1.0, 0.3}, {1.3, 1.1, 0.4}};
+    for (const Pose2& pose : poses) images_.push_back(image_of(scan_of_walls(room_, pose)));
+    for (std::size_t i = 0; i < poses.size(); ++i) submap_.push_back({&images_[i], poses[i]});
   }
-  std::vector<Keyframe> submap_;
+  const std::vector<testing::Wall> room_ = l_shaped_room();
+  std::vector<SurfaceImage> images_;
+  std::vector<PlacedImage> submap_;
   PointMarks marks_;
 };
 
 TEST_F(SubmapAlignmentTest, AScanInItsPlaceIsExplainedAndAtRest) {
   const Pose2 pose{1.15, 1.05, 0.35};
-  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const SurfaceSamples points = points_of(scan_of_walls(room_, pose));
   const SubmapAlignment alignment = align_with_submap(submap_, points, pose, {}, marks_);
-  EXPECT_GT(alignment.explained(), 0.95);
+  EXPECT_GT(alignment.score(), 0.95);
   EXPECT_EQ(alignment.num_contradicted, 0.0);
   EXPECT_LT(alignment.gradient.norm() / alignment.hessian.norm(), 1e-3);
   EXPECT_GT(closeness_to_submap(submap_, points, pose, 0.05), 0.9);
@@ -51,16 +55,16 @@ TEST_F(SubmapAlignmentTest, AScanInItsPlaceIsExplainedAndAtRest) {
 
 TEST_F(SubmapAlignmentTest, AScanInAWrongPlaceIsContradicted) {
   const Pose2 pose{1.15, 1.05, 0.35};
-  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const SurfaceSamples points = points_of(scan_of_walls(room_, pose));
   const Pose2 wrong{1.15, 1.05, 0.35 + 0.5 * kPi};
   EXPECT_LT(align_with_submap(submap_, points, wrong, {}, marks_).score(), 0.2);
 }
 
 TEST_F(SubmapAlignmentTest, APointCountsOnceHoweverOftenItWasSeen) {
   const Pose2 pose{1.15, 1.05, 0.35};
-  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const SurfaceSamples points = points_of(scan_of_walls(room_, pose));
   const auto once = align_with_submap(submap_, points, pose, {}, marks_);
-  std::vector<Keyframe> twice = submap_;
+  std::vector<PlacedImage> twice = submap_;
   twice.insert(twice.end(), submap_.begin(), submap_.end());
   const auto again = align_with_submap(twice, points, pose, {}, marks_);
   EXPECT_EQ(again.num_explained, once.num_explained);
@@ -69,7 +73,7 @@ TEST_F(SubmapAlignmentTest, APointCountsOnceHoweverOftenItWasSeen) {
 
 /// The normal equations of one keyframe at the origin, plainly: in double precision, as written.
 Eigen::Matrix<double, 3, 4> plain_equations(const SurfaceImage& image,
-                                            const SurfacePoints& points,
+                                            const SurfaceSamples& points,
                                             const Pose2& T,
                                             const AlignmentScale& scale) {
   Eigen::Matrix<double, 3, 4> sums = Eigen::Matrix<double, 3, 4>::Zero();
@@ -95,12 +99,13 @@ Eigen::Matrix<double, 3, 4> plain_equations(const SurfaceImage& image,
 
 TEST_F(SubmapAlignmentTest, TheNormalEquationsAreThoseOfThePlainSums) {
   const Pose2 pose{1.15, 1.05, 0.35};
-  const Keyframe keyframe = keyframe_at({}, scan_of_walls(l_shaped_room(), pose));
-  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const SurfaceImage image = image_of(scan_of_walls(room_, pose));
+  const PlacedImage placed{&image, {}};
+  const SurfaceSamples points = points_of(scan_of_walls(room_, pose));
   const AlignmentScale scale{.gate_m = 0.15, .scale_m = 0.05};
   for (const Pose2& off : {Pose2{0.02, -0.03, 0.01}, Pose2{0.08, 0.05, -0.03}}) {
-    const auto plain = plain_equations(keyframe.image, points, off, scale);
-    const auto found = align_with_submap({&keyframe, 1}, points, off, scale, marks_);
+    const auto plain = plain_equations(image, points, off, scale);
+    const auto found = align_with_submap({&placed, 1}, points, off, scale, marks_);
     EXPECT_LT((found.hessian - plain.leftCols<3>()).norm(), 1e-3 * plain.leftCols<3>().norm());
     EXPECT_LT((found.gradient - plain.col(3)).norm(), 1e-3 * plain.col(3).norm());
   }
@@ -108,7 +113,7 @@ TEST_F(SubmapAlignmentTest, TheNormalEquationsAreThoseOfThePlainSums) {
 
 TEST_F(SubmapAlignmentTest, RefinementFindsThePlaceFromAside) {
   const Pose2 pose{1.15, 1.05, 0.35};
-  const SurfacePoints points = surface_points_from_scan(scan_of_walls(l_shaped_room(), pose));
+  const SurfaceSamples points = points_of(scan_of_walls(room_, pose));
   for (const Pose2& off : {Pose2{0.15, 0.0, 0.0}, Pose2{-0.1, 0.1, 0.05}, Pose2{0.0, -0.1, -0.1}}) {
     const Pose2 start = pose * off;
     const SubmapFit fit = refine_in_submap({submap_, points, start, {}, marks_}, start, {});
