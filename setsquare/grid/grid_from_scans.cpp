@@ -3,9 +3,12 @@
 #include "setsquare/grid/grid_from_scans.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <Eigen/Core>
+#include <exception>
 #include <limits>
+#include <thread>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
@@ -43,25 +46,121 @@ struct Extent {
   Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Array2d high = -low;
 
-  void include(const Eigen::Vector2d& point) {
-    low = low.min(point.array());
-    high = high.max(point.array());
+  void include(const Eigen::Array2d& point) {
+    low = low.min(point);
+    high = high.max(point);
+  }
+  void include(const Extent& other) {
+    include(other.low);
+    include(other.high);
   }
 };
 
-OccupancyGrid grid_over(const Extent& extent,
+/// A scan as the bands see it: T_grid_sensor, and the rows that its beams reach.
+struct GridScan {
+  const Scan* scan = nullptr;
+  Pose2 T_grid_sensor;
+  Extent extent;  // of the sensor and all ends, in the grid frame, in m
+};
+
+/// The scans in the frame that has the grid's directions and the map's origin.
+std::vector<GridScan> aligned(const std::vector<PlacedScan>& scans,
+                              const Pose2& T_aligned_map,
+                              const GridFromScansParams& params) {
+  BeamEndFinder finder(params.beams);
+  std::vector<GridScan> found;
+  found.reserve(scans.size());
+  for (const PlacedScan& placed : scans) {
+    const Pose2 T_aligned_sensor = T_aligned_map * placed.T_map_sensor;
+    const double c = std::cos(T_aligned_sensor.theta_rad);
+    const double s = std::sin(T_aligned_sensor.theta_rad);
+    Extent extent;
+    extent.include(Eigen::Array2d(T_aligned_sensor.x_m, T_aligned_sensor.y_m));
+    for (const BeamEnd& end : finder.find(*placed.scan)) {
+      extent.include(Eigen::Array2d(T_aligned_sensor.x_m + c * end.x_m - s * end.y_m,
+                                    T_aligned_sensor.y_m + s * end.x_m + c * end.y_m));
+    }
+    found.push_back({placed.scan, T_aligned_sensor, extent});
+  }
+  return found;
+}
+
+/// An unknown grid that holds all scans, which are moved into its frame.
+OccupancyGrid grid_over(std::vector<GridScan>& scans,
                         const Pose2& T_map_aligned,
                         const GridFromScansParams& params) {
-  const Eigen::Array2d low = extent.low - params.margin_m;
-  const Eigen::Array2d size = extent.high - extent.low + 2.0 * params.margin_m;
+  Extent extent;
+  if (scans.empty()) extent.include(Eigen::Array2d(Eigen::Array2d::Zero()));
+  for (const GridScan& scan : scans) extent.include(scan.extent);
+  constexpr double kPerMetre = 100.0;  // whole centimetres read well in files
+  const Eigen::Array2d low = ((extent.low - params.margin_m) * kPerMetre).floor() / kPerMetre;
+  const Eigen::Array2d size = extent.high + params.margin_m - low;
   double resolution_m = params.resolution_m;
   const auto num_cells = [&] { return ((size / resolution_m).ceil() + 1.0).prod(); };
   while (num_cells() > params.max_num_cells) resolution_m *= 2.0;
   const Eigen::Array2d cells = (size / resolution_m).ceil() + 1.0;
+  for (GridScan& scan : scans) {
+    scan.T_grid_sensor.x_m -= low.x();
+    scan.T_grid_sensor.y_m -= low.y();
+    scan.extent.low -= low;
+    scan.extent.high -= low;
+  }
   return {T_map_aligned * Pose2{low.x(), low.y(), 0.0},
           resolution_m,
           static_cast<std::int32_t>(cells.x()),
           static_cast<std::int32_t>(cells.y())};
+}
+
+/// Fills the rows of the grid from `first_row` on, as many as `num_hits` has cells for.
+void fill_band(OccupancyGrid& grid,
+               std::int32_t first_row,
+               std::span<std::uint16_t> num_hits,
+               const std::vector<GridScan>& scans,
+               const GridFromScansParams& params) {
+  const std::size_t first = grid.index({0, first_row});
+  const std::span<float> values = std::span(grid.values()).subspan(first, num_hits.size());
+  EvidenceBand band(first_row, grid.num_columns(), values, num_hits);
+  BeamEndFinder finder(params.beams);
+  const double resolution_m = grid.resolution_m();
+  const double low_m = (band.first_row() - 1) * resolution_m;  // a row's slack for rounding
+  const double high_m = (band.end_row() + 1) * resolution_m;
+  for (const GridScan& scan : scans) {
+    if (scan.extent.high.y() < low_m || scan.extent.low.y() > high_m) continue;
+    band.count(scan.T_grid_sensor, resolution_m, finder.find(*scan.scan), params.insertion);
+  }
+  band.finish(params.insertion);
+}
+
+/// Fills the grid, cut into a few bands a thread; each is taken by the next thread that is free.
+void fill(OccupancyGrid& grid,
+          const std::vector<GridScan>& scans,
+          const GridFromScansParams& params) {
+  std::vector<std::uint16_t> num_hits(grid.values().size(), 0);
+  const std::int32_t num_shares = params.num_threads > 1 ? 4 * params.num_threads : 1;
+  const std::int32_t band_rows = (grid.num_rows() + num_shares - 1) / num_shares;
+  std::atomic<std::int32_t> next_row{0};
+  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(params.num_threads));
+  const auto work = [&](std::size_t thread) {
+    try {
+      for (std::int32_t row = next_row.fetch_add(band_rows); row < grid.num_rows();
+           row = next_row.fetch_add(band_rows)) {
+        const std::int32_t end_row = std::min(row + band_rows, grid.num_rows());
+        const std::size_t first = grid.index({0, row});
+        const std::size_t num_cells = grid.index({0, end_row}) - first;
+        fill_band(grid, row, std::span(num_hits).subspan(first, num_cells), scans, params);
+      }
+    } catch (...) {
+      failures[thread] = std::current_exception();
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (std::size_t i = 1; i < failures.size(); ++i) others.emplace_back(work, i);
+    work(0);
+  }
+  for (const std::exception_ptr& failure : failures) {
+    if (failure) std::rethrow_exception(failure);
+  }
 }
 
 }  // namespace
@@ -74,6 +173,10 @@ void GridFromScansParams::validate() const {
   if (!(max_num_cells >= 1e4 && max_num_cells <= static_cast<double>(OccupancyGrid::kMaxCells))) {
     throw ParameterError("max_num_cells", "must be between 10^4 and 4 * 10^8");
   }
+  if (!(num_threads >= 1 && num_threads <= 256)) {
+    throw ParameterError("num_threads", "must be between 1 and 256");
+  }
+  beams.validate();
   insertion.validate();
 }
 
@@ -81,22 +184,10 @@ OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,
                               double grid_heading_rad,
                               const GridFromScansParams& params) {
   params.validate();
-  const std::vector<PlacedScan> kept = spaced(scans, params);
   const Pose2 T_map_aligned{0.0, 0.0, grid_heading_rad};
-  const Pose2 T_aligned_map = T_map_aligned.inverse();
-  Extent extent;
-  if (kept.empty()) extent.include(Eigen::Vector2d::Zero());
-  for (const PlacedScan& placed : kept) {
-    const Pose2 T_aligned_sensor = T_aligned_map * placed.T_map_sensor;
-    extent.include(T_aligned_sensor.translation());
-    for (const BeamEnd& end : beam_ends(*placed.scan, params.insertion)) {
-      extent.include(T_aligned_sensor * Eigen::Vector2d(end.x_m, end.y_m));
-    }
-  }
-  OccupancyGrid grid = grid_over(extent, T_map_aligned, params);
-  for (const PlacedScan& placed : kept) {
-    insert_scan(grid, placed.T_map_sensor, *placed.scan, params.insertion);
-  }
+  std::vector<GridScan> kept = aligned(spaced(scans, params), T_map_aligned.inverse(), params);
+  OccupancyGrid grid = grid_over(kept, T_map_aligned, params);
+  fill(grid, kept, params);
   return grid;
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "setsquare/core/pose2.hpp"
+#include "setsquare/grid/beam_ends.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/grid/scan_insertion.hpp"
 #include "setsquare/scan/scan.hpp"
@@ -23,6 +24,8 @@ struct GridFromScansParams {
   double min_turn_rad = 0.0873;  ///< ... turned less (5 degrees), adds nothing and is left out.
   double margin_m = 0.5;         ///< Unknown border around everything seen.
   double max_num_cells = 1e8;
+  int num_threads = 1;  ///< Any number gives the same grid.
+  BeamEndParams beams = {};
   ScanInsertionParams insertion = {};
 
   /// Throws ParameterError that names the field.
@@ -30,7 +33,13 @@ struct GridFromScansParams {
 };
 
 /// A grid that holds all that the scans saw. Its rows run along the direction `grid_heading_rad`
-/// of the map frame. The scans are inserted in their order.
+/// of the map frame; where that is 0, the lower left corner lies at whole centimetres.
+///
+/// 1. Scans that hardly moved are left out.
+/// 2. The extent of all beams makes the grid.
+/// 3. Band of rows by band of rows, the beams that end in a cell and those that pass through it are
+///    counted (EvidenceBand): small enough for the cache, and a piece of work for a thread.
+/// 4. The counts become log-odds.
 [[nodiscard]] OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,
                                             double grid_heading_rad = 0.0,
                                             const GridFromScansParams& params = {});

@@ -3,102 +3,120 @@
 #include "setsquare/grid/scan_insertion.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/grid/ray_traversal.hpp"
 
 namespace setsquare {
-namespace {
-
-/// A cell that holds a return, and what it held before this scan.
-struct Hit {
-  std::size_t index;
-  float log_odds_before;
-};
-
-SubcellPoint subcell_of(const OccupancyGrid& grid, const Eigen::Vector2d& p_grid) {
-  return subcell_at(p_grid.x() / grid.resolution_m(), p_grid.y() / grid.resolution_m());
-}
-
-/// Frees all cells of the ray but the last.
-void free_along(OccupancyGrid& grid, SubcellPoint from, SubcellPoint to, float pass, float lowest) {
-  RayTraversal ray(from, to);
-  float* const values = grid.values().data();
-  const auto num_columns = static_cast<std::ptrdiff_t>(grid.num_columns());
-  const bool is_inside = grid.contains(cell_of(from)) && grid.contains(cell_of(to));
-  for (std::int32_t step = 0; step < ray.num_steps(); ++step, ray.advance()) {
-    const CellIndex cell = ray.cell();
-    if (!is_inside && !grid.contains(cell)) continue;
-    float& value = values[cell.row * num_columns + cell.column];
-    value = std::max(lowest, value + pass);
-  }
-}
-
-}  // namespace
 
 void ScanInsertionParams::validate() const {
   if (!(hit_log_odds > 0.0)) throw ParameterError("hit_log_odds", "must be positive");
   if (!(pass_log_odds < 0.0)) throw ParameterError("pass_log_odds", "must be negative");
+  if (no_returns_per_pass < 1) throw ParameterError("no_returns_per_pass", "must be positive");
   if (!(max_log_odds > 0.0)) throw ParameterError("max_log_odds", "must be positive");
   if (!(min_log_odds < 0.0)) throw ParameterError("min_log_odds", "must be negative");
-  if (!(max_return_range_m > 0.0)) throw ParameterError("max_return_range_m", "must be positive");
-  if (!(max_no_return_range_m >= 0.0)) {
-    throw ParameterError("max_no_return_range_m", "must not be negative");
+}
+
+EvidenceBand::EvidenceBand(std::int32_t first_row,
+                           std::int32_t num_columns,
+                           std::span<float> num_passes,
+                           std::span<std::uint16_t> num_hits)
+    : first_row_(first_row),
+      end_row_(first_row + static_cast<std::int32_t>(num_hits.size()) / num_columns),
+      num_columns_(num_columns),
+      num_passes_(num_passes),
+      num_hits_(num_hits) {
+  assert(num_passes.size() == num_hits.size());
+}
+
+void EvidenceBand::keep(CellIndex cell) {
+  if (!contains(cell)) return;
+  const std::size_t i = index(cell);
+  kept_.push_back({i, num_passes_[i]});
+}
+
+void EvidenceBand::hit(CellIndex cell) {
+  if (!contains(cell)) return;
+  std::uint16_t& num_hits = num_hits_[index(cell)];
+  if (num_hits < std::numeric_limits<std::uint16_t>::max()) ++num_hits;
+  keep(cell);
+}
+
+void EvidenceBand::keep_joint(SubcellPoint from, SubcellPoint to) {
+  RayTraversal ray(from, to);
+  for (std::int32_t step = 1; step < ray.num_steps(); ++step) {
+    ray.advance();
+    keep(ray.cell());
   }
 }
 
-std::vector<BeamEnd> beam_ends(const Scan& scan, const ScanInsertionParams& params) {
-  std::vector<BeamEnd> ends;
-  ends.reserve(scan.num_beams());
-  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
-    const BeamOutcome outcome = scan.outcome(beam);
-    if (outcome == BeamOutcome::kInvalid) continue;
-    const bool is_return =
-        outcome == BeamOutcome::kReturn && scan.ranges_m[beam] <= params.max_return_range_m;
-    const double range_m =
-        is_return ? scan.ranges_m[beam] : std::min(params.max_no_return_range_m, scan.max_range_m);
-    const double bearing_rad = scan.bearing_rad(beam);
-    ends.push_back({range_m * std::cos(bearing_rad), range_m * std::sin(bearing_rad), is_return});
+void EvidenceBand::pass(SubcellPoint from, SubcellPoint to, float weight) {
+  RayTraversal ray(from, to);
+  const std::int32_t from_row = ray.cell().row;
+  const std::int32_t to_row = cell_of(to).row;
+  const auto [lowest, highest] = std::minmax(from_row, to_row);
+  if (highest < first_row_ || lowest >= end_row_) return;
+  // From the ray's first cell in the band to its last, but not to the ray's last.
+  const bool is_rising = to_row >= from_row;
+  const std::int32_t row_behind = is_rising ? end_row_ : first_row_ - 1;
+  const bool leaves = is_rising ? to_row >= end_row_ : to_row < first_row_;
+  const std::int32_t end = leaves ? ray.num_steps_to_row(row_behind) : ray.num_steps();
+  const std::int32_t first = std::clamp(from_row, first_row_, end_row_ - 1);
+  std::int32_t step = ray.num_steps_to_row(first);
+  ray.advance_to_row(first);
+  const auto is_column = [this](std::int32_t column) {
+    return column >= 0 && column < num_columns_;
+  };
+  const bool is_inside = is_column(cell_of(from).column) && is_column(cell_of(to).column);
+  float* const num_passes = num_passes_.data();
+  const auto stride = static_cast<std::ptrdiff_t>(num_columns_);
+  RayTraversal walk = ray;  // a copy whose address nobody has stays in registers
+  for (; step < end; ++step, walk.advance()) {
+    const CellIndex cell = walk.cell();
+    if (!is_inside && !is_column(cell.column)) continue;
+    num_passes[(cell.row - first_row_) * stride + cell.column] += weight;
   }
-  return ends;
 }
 
-void insert_beams(OccupancyGrid& grid,
-                  const Pose2& T_map_sensor,
-                  const std::vector<BeamEnd>& ends,
-                  const ScanInsertionParams& params) {
-  const Pose2 T_grid_sensor = grid.T_map_grid().inverse() * T_map_sensor;
+void EvidenceBand::count(const Pose2& T_grid_sensor,
+                         double resolution_m,
+                         std::span<const BeamEnd> ends,
+                         const ScanInsertionParams& params) {
+  const double cells_per_m = 1.0 / resolution_m;
   const double c = std::cos(T_grid_sensor.theta_rad);
   const double s = std::sin(T_grid_sensor.theta_rad);
-  const SubcellPoint start = subcell_of(grid, T_grid_sensor.translation());
-  std::vector<SubcellPoint> stops;
-  std::vector<Hit> hits;
-  stops.reserve(ends.size());
-  hits.reserve(ends.size());
+  const auto subcell_of = [&](double x_m, double y_m) {
+    return subcell_at((T_grid_sensor.x_m + c * x_m - s * y_m) * cells_per_m,
+                      (T_grid_sensor.y_m + s * x_m + c * y_m) * cells_per_m);
+  };
+  const SubcellPoint start = subcell_of(0.0, 0.0);
+  stops_.clear();
+  kept_.clear();
+  SubcellPoint last_return;
   for (const BeamEnd& end : ends) {
-    const Eigen::Vector2d p_grid(T_grid_sensor.x_m + c * end.x_m - s * end.y_m,
-                                 T_grid_sensor.y_m + s * end.x_m + c * end.y_m);
-    stops.push_back(subcell_of(grid, p_grid));
-    const CellIndex cell = cell_of(stops.back());
-    if (end.is_return && grid.contains(cell))
-      hits.push_back({grid.index(cell), grid.log_odds(cell)});
+    const SubcellPoint stop = subcell_of(end.x_m, end.y_m);
+    stops_.push_back(stop);
+    if (!end.is_return) continue;
+    const CellIndex cell = cell_of(stop);
+    hit(cell);
+    if (end.is_joined) keep_joint(last_return, stop);
+    last_return = stop;
   }
-  const auto pass = static_cast<float>(params.pass_log_odds);
-  const auto lowest = static_cast<float>(params.min_log_odds);
-  for (const SubcellPoint& stop : stops) free_along(grid, start, stop, pass, lowest);
-  const auto gain = static_cast<float>(params.hit_log_odds);
-  const auto highest = static_cast<float>(params.max_log_odds);
-  for (const Hit& hit : hits) {
-    grid.values()[hit.index] = std::min(highest, hit.log_odds_before + gain);
+  const auto weight = static_cast<float>(params.no_returns_per_pass);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    pass(start, stops_[i], ends[i].is_return ? weight : 1.0F);
   }
+  for (const Kept& kept : kept_) num_passes_[kept.index] = kept.num_passes;
 }
 
-void insert_scan(OccupancyGrid& grid,
-                 const Pose2& T_map_sensor,
-                 const Scan& scan,
-                 const ScanInsertionParams& params) {
-  insert_beams(grid, T_map_sensor, beam_ends(scan, params), params);
+void EvidenceBand::finish(const ScanInsertionParams& params) {
+  const double per_pass = params.pass_log_odds / params.no_returns_per_pass;
+  for (std::size_t i = 0; i < num_hits_.size(); ++i) {
+    const double sum = params.hit_log_odds * num_hits_[i] + per_pass * num_passes_[i];
+    num_passes_[i] = static_cast<float>(std::clamp(sum, params.min_log_odds, params.max_log_odds));
+  }
 }
 
 }  // namespace setsquare

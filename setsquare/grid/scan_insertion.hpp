@@ -2,49 +2,88 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
+#include "setsquare/grid/beam_ends.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
-#include "setsquare/scan/scan.hpp"
+#include "setsquare/grid/ray_traversal.hpp"
 
 namespace setsquare {
 
-/// How a scan changes a grid. Log-odds are natural logarithms.
+/// How hits and passes become log-odds, natural logarithms. A cell is occupied where more than
+/// about a quarter of the beams that reached it ended in it: thin and slanting walls are passed by
+/// often, free space is hardly ever hit.
 struct ScanInsertionParams {
-  double hit_log_odds = 0.85;          ///< Added once a scan to a cell in which a return lies.
-  double pass_log_odds = -0.4;         ///< Added to a cell by every beam that passes through it.
-  double max_log_odds = 3.5;           ///< No cell gets surer of being occupied.
-  double min_log_odds = -2.5;          ///< No cell gets surer of being free.
-  double max_return_range_m = 30.0;    ///< Farther returns count as no-returns.
-  double max_no_return_range_m = 5.0;  ///< A no-return proves free space only this far.
+  double hit_log_odds = 0.95;    ///< Of a return that lies in the cell.
+  double pass_log_odds = -0.36;  ///< Of a beam that passed through the cell and returned.
+  int no_returns_per_pass = 4;   ///< So many beams without return weigh as one that returned.
+  double max_log_odds = 3.5;     ///< No cell is surer of being occupied.
+  double min_log_odds = -2.5;    ///< No cell is surer of being free.
 
   /// Throws ParameterError that names the field.
   void validate() const;
 };
 
-/// Where a beam ends, in the sensor frame.
-struct BeamEnd {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  bool is_return = false;  ///< Otherwise only free space is known up to there.
+/// Counts what beams tell of the cells of some rows of a grid: plain numbers, so that neither the
+/// order of the scans nor the bands that the grid is cut into make a difference. Passes are counted
+/// in the float of each cell that will hold its log-odds, exact up to 2^24, so that a large grid
+/// needs little more memory than itself.
+class EvidenceBand {
+ public:
+  /// The band's cells lie row by row in `num_passes` and `num_hits`, both zero and the caller's.
+  EvidenceBand(std::int32_t first_row,
+               std::int32_t num_columns,
+               std::span<float> num_passes,
+               std::span<std::uint16_t> num_hits);
+
+  [[nodiscard]] std::int32_t first_row() const { return first_row_; }
+  [[nodiscard]] std::int32_t end_row() const { return end_row_; }
+
+  /// Counts a scan's beams, those without return once, the others `no_returns_per_pass` times. A
+  /// beam passes through all cells but its last. A cell in which a return of this scan lies, or
+  /// the joint of two neighbouring ones on one surface, is passed by none of the scan's beams:
+  /// walls seen at a grazing angle stay. `T_grid_sensor` from the lower left corner of cell (0, 0);
+  /// what lies outside the band is left out.
+  void count(const Pose2& T_grid_sensor,
+             double resolution_m,
+             std::span<const BeamEnd> ends,
+             const ScanInsertionParams& params);
+
+  /// The counts become log-odds, in the place of `num_passes`: 0 where nothing is known.
+  void finish(const ScanInsertionParams& params);
+
+ private:
+  /// A cell that no beam of the scan passes, and what it held before.
+  struct Kept {
+    std::size_t index;
+    float num_passes;
+  };
+
+  [[nodiscard]] bool contains(CellIndex cell) const {
+    return cell.row >= first_row_ && cell.row < end_row_ && cell.column >= 0 &&
+           cell.column < num_columns_;
+  }
+  [[nodiscard]] std::size_t index(CellIndex cell) const {
+    return static_cast<std::size_t>(cell.row - first_row_) *
+               static_cast<std::size_t>(num_columns_) +
+           static_cast<std::size_t>(cell.column);
+  }
+  void hit(CellIndex cell);
+  void keep(CellIndex cell);
+  void keep_joint(SubcellPoint from, SubcellPoint to);
+  void pass(SubcellPoint from, SubcellPoint to, float weight);
+
+  std::int32_t first_row_;
+  std::int32_t end_row_;
+  std::int32_t num_columns_;
+  std::span<float> num_passes_;  ///< In beams without return.
+  std::span<std::uint16_t> num_hits_;
+  std::vector<Kept> kept_;  ///< Of the scan that is being counted.
+  std::vector<SubcellPoint> stops_;
 };
-
-/// The ends of all beams that tell something, in their order.
-[[nodiscard]] std::vector<BeamEnd> beam_ends(const Scan& scan, const ScanInsertionParams& params);
-
-/// Marks the space along the beams as free and the returns' cells as occupied. A cell that holds a
-/// return of this scan is not freed by the scan's other beams: walls seen at a grazing angle stay.
-/// What lies outside the grid is left out.
-void insert_beams(OccupancyGrid& grid,
-                  const Pose2& T_map_sensor,
-                  const std::vector<BeamEnd>& ends,
-                  const ScanInsertionParams& params);
-
-/// insert_beams of the scan's beam_ends.
-void insert_scan(OccupancyGrid& grid,
-                 const Pose2& T_map_sensor,
-                 const Scan& scan,
-                 const ScanInsertionParams& params = {});
 
 }  // namespace setsquare

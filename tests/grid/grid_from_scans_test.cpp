@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -62,10 +63,25 @@ TEST_F(AskewRoom, AlignedGridHoldsUprightWallsAndFreeSpaceWithin) {
   EXPECT_NEAR(num_free * 0.05 * 0.05, kWidth_m * kDepth_m, 0.05 * kWidth_m * kDepth_m);
 }
 
-TEST_F(AskewRoom, SameScansSameBytes) {
-  const OccupancyGrid a = grid_from_scans(placed_, 0.3);
-  const OccupancyGrid b = grid_from_scans(placed_, 0.3);
-  EXPECT_EQ(a.values(), b.values());
+TEST_F(AskewRoom, SameScansSameBytesByAnyNumberOfThreadsAndInAnyOrder) {
+  const GridFromScansParams every_scan = {.min_spacing_m = 0.0, .min_turn_rad = 0.0};
+  const OccupancyGrid one = grid_from_scans(placed_, 0.3, every_scan);
+  for (const int num_threads : {1, 2, 3, 7, 200}) {
+    GridFromScansParams params = every_scan;
+    params.num_threads = num_threads;
+    EXPECT_EQ(grid_from_scans(placed_, 0.3, params).values(), one.values()) << num_threads;
+  }
+  std::reverse(placed_.begin(), placed_.end());
+  EXPECT_EQ(grid_from_scans(placed_, 0.3, every_scan).values(), one.values());
+  EXPECT_THROW(static_cast<void>(grid_from_scans(placed_, 0.3, {.num_threads = 0})),
+               ParameterError);
+}
+
+TEST_F(AskewRoom, TheCornerLiesAtWholeCentimetres) {
+  const Pose2 corner = grid_from_scans(placed_).T_map_grid();
+  EXPECT_EQ(corner.theta_rad, 0.0);
+  EXPECT_EQ(corner.x_m, std::round(corner.x_m * 100.0) / 100.0);
+  EXPECT_EQ(corner.y_m, std::round(corner.y_m * 100.0) / 100.0);
 }
 
 TEST_F(AskewRoom, ScansThatDidNotMoveAddNothing) {

@@ -124,6 +124,27 @@ TEST(RayTraversal, SuccessiveCellsShareASideAndTheLastHoldsTheEnd) {
   }
 }
 
+TEST(RayTraversal, AdvancesToARowAsByItsSteps) {
+  std::mt19937_64 generator = testing::make_generator();
+  for (const std::int64_t unit : {std::int64_t{1}, kCell / 2}) {  // the latter: through corners
+    std::uniform_int_distribution<std::int64_t> coordinate(-30 * kCell / unit, 30 * kCell / unit);
+    for (int round = 0; round < 300; ++round) {
+      const SubcellPoint from{coordinate(generator) * unit, coordinate(generator) * unit};
+      const SubcellPoint to{coordinate(generator) * unit, coordinate(generator) * unit};
+      const std::vector<CellIndex> cells = cells_on_ray(from, to);
+      for (std::size_t i = 0; i < cells.size(); ++i) {
+        if (i > 0 && cells[i].row == cells[i - 1].row) continue;
+        RayTraversal ray(from, to);
+        ASSERT_EQ(ray.num_steps_to_row(cells[i].row), static_cast<std::int32_t>(i));
+        ray.advance_to_row(cells[i].row);
+        for (std::size_t next = i; next < cells.size(); ++next, ray.advance()) {
+          ASSERT_EQ(ray.cell(), cells[next]);
+        }
+      }
+    }
+  }
+}
+
 TEST(RayTraversal, StandsStillInOneCell) {
   EXPECT_EQ(cells_on_ray({5, 5}, {5, 5}), (std::vector<CellIndex>{{0, 0}}));
   EXPECT_EQ(cells_on_ray({-1, 0}, {-kCell, kCell - 1}), (std::vector<CellIndex>{{-1, 0}}));
