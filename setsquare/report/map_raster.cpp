@@ -23,21 +23,6 @@ std::pair<std::int32_t, std::int32_t> trimmed(const std::vector<std::int64_t>& c
   return {static_cast<std::int32_t>(begin), static_cast<std::int32_t>(end)};
 }
 
-/// The most occupied cell's log-odds if one is occupied, else the freest one's.
-float log_odds_of_block(const OccupancyGrid& grid, CellIndex first, std::int32_t num_cells) {
-  float highest = 0.0F;
-  float lowest = 0.0F;
-  for (std::int32_t row = first.row; row < first.row + num_cells; ++row) {
-    for (std::int32_t column = first.column; column < first.column + num_cells; ++column) {
-      if (!grid.contains({column, row})) continue;
-      const float value = grid.log_odds({column, row});
-      highest = std::max(highest, value);
-      lowest = std::min(lowest, value);
-    }
-  }
-  return highest > 0.0F ? highest : lowest;
-}
-
 Color color_of(float log_odds) {
   constexpr double kSureOccupied = 1.5;
   constexpr double kSureFree = -1.0;
@@ -77,6 +62,20 @@ CellBox box_of_walls(const OccupancyGrid& grid) {
   const auto [first_column, end_column] = trimmed(in_column, total);
   const auto [first_row, end_row] = trimmed(in_row, total);
   return {{first_column, first_row}, {end_column, end_row}};
+}
+
+float log_odds_of_block(const OccupancyGrid& grid, CellIndex first, std::int32_t num_cells) {
+  float highest = 0.0F;
+  float lowest = 0.0F;
+  for (std::int32_t row = first.row; row < first.row + num_cells; ++row) {
+    for (std::int32_t column = first.column; column < first.column + num_cells; ++column) {
+      if (!grid.contains({column, row})) continue;
+      const float value = grid.log_odds({column, row});
+      highest = std::max(highest, value);
+      lowest = std::min(lowest, value);
+    }
+  }
+  return highest > 0.0F ? highest : lowest;
 }
 
 void draw_cells(Image& image,

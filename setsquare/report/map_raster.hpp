@@ -38,6 +38,12 @@ struct MapScale {
 /// through windows), or the whole grid where no cell is occupied.
 [[nodiscard]] CellBox box_of_walls(const OccupancyGrid& grid);
 
+/// Log-odds of the most occupied cell of the block of num_cells x num_cells cells from `first` up,
+/// else of its freest; 0 where none is known.
+[[nodiscard]] float log_odds_of_block(const OccupancyGrid& grid,
+                                      CellIndex first,
+                                      std::int32_t num_cells);
+
 /// Draws the cells of the box (which may reach beyond the grid: unknown) with the box's upper left
 /// corner at the pixel (left, top). A block shows its most occupied cell, else its freest.
 void draw_cells(Image& image,
