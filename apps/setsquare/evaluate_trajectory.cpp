@@ -79,6 +79,8 @@ void evaluate_ate(const AteOptions& options) {
                          {"y_m", alignment.y_m},
                          {"theta_deg", deg_from_rad(alignment.theta_rad)}};
     add_errors(json, error.translation_m, error.rotation_rad);
+    json["final"] = {{"translation_m", error.final_translation_m},
+                     {"rotation_deg", deg_from_rad(error.final_rotation_rad)}};
     std::cout << json.dump(2) << "\n";
     return;
   }
@@ -91,6 +93,12 @@ void evaluate_ate(const AteOptions& options) {
                 alignment.y_m,
                 deg_from_rad(alignment.theta_rad));
   std::cout << line << table_from(error.translation_m, error.rotation_rad);
+  std::snprintf(line,
+                sizeof line,
+                "final pose: %.4f m, %.4f deg off\n",
+                error.final_translation_m,
+                deg_from_rad(error.final_rotation_rad));
+  std::cout << line;
 }
 
 RelativeErrorParams span_of(const RpeOptions& options) {

@@ -37,6 +37,8 @@ AbsoluteTrajectoryError absolute_trajectory_error(std::span<const PosePair> pair
     translation_m.push_back((aligned.translation() - pair.T_truth_base.translation()).norm());
     rotation_rad.push_back(std::abs(wrap_to_pi(aligned.theta_rad - pair.T_truth_base.theta_rad)));
   }
+  error.final_translation_m = translation_m.back();
+  error.final_rotation_rad = rotation_rad.back();
   error.translation_m = error_statistics(translation_m);
   error.rotation_rad = error_statistics(rotation_rad);
   return error;

@@ -17,9 +17,11 @@ enum class TrajectoryAlignment {
 };
 
 struct AbsoluteTrajectoryError {
-  Pose2 T_truth_map;              ///< The alignment.
-  ErrorStatistics translation_m;  ///< Distances of the aligned positions.
-  ErrorStatistics rotation_rad;   ///< Differences of the aligned headings, wrapped, absolute.
+  Pose2 T_truth_map;                 ///< The alignment.
+  ErrorStatistics translation_m;     ///< Distances of the aligned positions.
+  ErrorStatistics rotation_rad;      ///< Differences of the aligned headings, wrapped, absolute.
+  double final_translation_m = 0.0;  ///< Of the last pair.
+  double final_rotation_rad = 0.0;   ///< Of the last pair.
 };
 
 /// The absolute trajectory error (ATE; Sturm et al. 2012) over the pairs, of which there is at
