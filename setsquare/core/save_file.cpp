@@ -7,6 +7,8 @@
 #include <cstring>
 #include <filesystem>
 #include <system_error>
+#include <utility>
+#include <vector>
 
 #include "setsquare/core/error.hpp"
 
@@ -62,28 +64,79 @@ int write_and_close(std::FILE* file, std::string_view bytes) {
   return errno;
 }
 
+/// The bytes of a file-to-be under a temporary name beside it, which goes unless it was renamed.
+class StagedFile {
+ public:
+  StagedFile(const std::string& path, std::string_view bytes)
+      : path_(path), target_(behind_links(path)) {
+    std::FILE* const file = open_temporary(target_, temporary_);
+    if (file == nullptr) complain(path, std::strerror(errno));
+    std::error_code error(write_and_close(file, bytes), std::generic_category());
+    std::error_code absent;
+    const fs::file_status status = fs::status(target_, absent);
+    if (!error && fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
+    if (!error) return;
+    remove();
+    complain(path, error.message());
+  }
+  StagedFile(StagedFile&& other) noexcept
+      : path_(std::move(other.path_)),
+        target_(std::move(other.target_)),
+        temporary_(std::exchange(other.temporary_, {})) {}
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  StagedFile& operator=(StagedFile&&) = delete;
+  ~StagedFile() { remove(); }
+
+  void put_in_place() {
+    std::error_code error;
+    fs::rename(temporary_, target_, error);
+    if (error) complain(path_, error.message());
+    temporary_.clear();
+  }
+
+ private:
+  void remove() {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  }
+
+  std::string path_;
+  fs::path target_;
+  fs::path temporary_;
+};
+
+/// A device, a pipe, an open stream: nothing that could be replaced.
+bool is_no_file(const std::string& path) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(path, ignored);
+  return is_open_stream(path) || (fs::exists(status) && !fs::is_regular_file(status));
+}
+
+void append_to(const std::string& path, std::string_view bytes) {
+  std::FILE* const file = std::fopen(path.c_str(), "ab");
+  const int failure = file == nullptr ? errno : write_and_close(file, bytes);
+  if (failure != 0) complain(path, std::strerror(failure));
+}
+
 }  // namespace
 
 void save_file(const std::string& path, std::string_view bytes) {
-  std::error_code error;
-  const fs::file_status status = fs::status(path, error);
-  if (is_open_stream(path) || (fs::exists(status) && !fs::is_regular_file(status))) {
-    std::FILE* const file = std::fopen(path.c_str(), "ab");
-    const int failure = file == nullptr ? errno : write_and_close(file, bytes);
-    if (failure != 0) complain(path, std::strerror(failure));
-    return;
+  const FileBytes file{path, bytes};
+  save_files({&file, 1});
+}
+
+void save_files(std::span<const FileBytes> files) {
+  std::vector<StagedFile> staged;
+  staged.reserve(files.size());
+  for (const FileBytes& file : files) {
+    if (is_no_file(file.path)) {
+      append_to(file.path, file.bytes);
+    } else {
+      staged.emplace_back(file.path, file.bytes);
+    }
   }
-  const fs::path target = behind_links(path);
-  fs::path temporary;
-  std::FILE* const file = open_temporary(target, temporary);
-  if (file == nullptr) complain(path, std::strerror(errno));
-  error = std::error_code(write_and_close(file, bytes), std::generic_category());
-  if (!error && fs::exists(status)) fs::permissions(temporary, status.permissions(), error);
-  if (!error) fs::rename(temporary, target, error);
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  complain(path, error.message());
+  for (StagedFile& file : staged) file.put_in_place();
 }
 
 }  // namespace setsquare

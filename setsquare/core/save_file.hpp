@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,5 +13,15 @@ namespace setsquare {
 /// symbolic link stays, and the file that it names is replaced. What is no regular file (a device,
 /// a pipe, /dev/stdout) is written to as it is. Throws FileError.
 void save_file(const std::string& path, std::string_view bytes);
+
+/// A file to be: its path, and the bytes that it shall have, which are the caller's.
+struct FileBytes {
+  std::string path;
+  std::string_view bytes;
+};
+
+/// save_file for files that belong together: all are written under temporary names before the first
+/// is renamed, in the order given, so that they change together as far as renames can.
+void save_files(std::span<const FileBytes> files);
 
 }  // namespace setsquare

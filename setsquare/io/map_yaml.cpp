@@ -4,6 +4,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string_view>
 
@@ -110,6 +112,26 @@ MapYaml MapYamlReader::read() const {
   return map;
 }
 
+/// The fewest digits that give the number back.
+std::string shortest(double value) {
+  char digits[32];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value == 0.0 ? 0.0 : value).ptr;
+  return {digits, end};
+}
+
+/// A plain word where the letters allow it, else yaml's double quotes.
+std::string quoted_where_needed(const std::string& text) {
+  const auto is_plain = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' ||
+           c == '/' || c == '_' || c == '-';
+  };
+  const bool starts_well = text.front() != '-' && text.front() != '.';
+  if (starts_well && std::ranges::all_of(text, is_plain)) return text;
+  YAML::Emitter emitter;
+  emitter << YAML::DoubleQuoted << text;
+  return emitter.c_str();
+}
+
 }  // namespace
 
 MapYaml map_yaml_from_text(const std::string& text, const std::string& name) {
@@ -121,6 +143,36 @@ MapYaml map_yaml_from_text(const std::string& text, const std::string& name) {
         error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1);
     throw FormatError(name, line, error.msg);
   }
+}
+
+std::string text_from_map_yaml(const MapYaml& map) {
+  const double numbers[] = {map.resolution_m,
+                            map.T_map_grid.x_m,
+                            map.T_map_grid.y_m,
+                            map.T_map_grid.theta_rad,
+                            map.occupied_threshold,
+                            map.free_threshold};
+  for (const double number : numbers) {
+    if (!std::isfinite(number)) throw ParameterError("MapYaml", "must hold finite numbers only");
+  }
+  if (map.image.empty()) throw ParameterError("image", "must be a file's name");
+  if (!(map.resolution_m > 0.0)) throw ParameterError("resolution_m", "must be positive");
+  if (!(map.free_threshold >= 0.0 && map.free_threshold < map.occupied_threshold &&
+        map.occupied_threshold <= 1.0)) {
+    throw ParameterError("free_threshold", "must be below occupied_threshold, both from 0 to 1");
+  }
+  const char* const mode = map.mode == MapMode::kTrinary ? "trinary"
+                           : map.mode == MapMode::kScale ? "scale"
+                                                         : "raw";
+  std::string text = "image: " + quoted_where_needed(map.image);
+  text += "\nmode: " + std::string(mode);
+  text += "\nresolution: " + shortest(map.resolution_m);
+  text += "\norigin: [" + shortest(map.T_map_grid.x_m) + ", " + shortest(map.T_map_grid.y_m) +
+          ", " + shortest(map.T_map_grid.theta_rad) + "]";
+  text += "\nnegate: " + std::string(map.is_negated ? "1" : "0");
+  text += "\noccupied_thresh: " + shortest(map.occupied_threshold);
+  text += "\nfree_thresh: " + shortest(map.free_threshold) + "\n";
+  return text;
 }
 
 }  // namespace setsquare

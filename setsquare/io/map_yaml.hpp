@@ -30,4 +30,8 @@ struct MapYaml {
 /// above. Throws FormatError with the line. `name` stands in messages for the path.
 [[nodiscard]] MapYaml map_yaml_from_text(const std::string& text, const std::string& name);
 
+/// The text of such a file: every entry, numbers with the fewest digits that give them back.
+/// Throws ParameterError where map_yaml_from_text would not read it back.
+[[nodiscard]] std::string text_from_map_yaml(const MapYaml& map);
+
 }  // namespace setsquare

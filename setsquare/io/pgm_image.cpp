@@ -121,4 +121,22 @@ PgmImage read_pgm(std::unique_ptr<ByteSource> source, const std::string& name) {
   return PgmReader(std::move(source), name).read();
 }
 
+std::string pgm_from_image(const PgmImage& image) {
+  if (image.width < 1 || image.height < 1) throw ParameterError("width", "must be positive");
+  const std::uint64_t num_pixels =
+      static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
+  if (image.values.size() != num_pixels) throw ParameterError("values", "must be one a pixel");
+  if (image.white < 1) throw ParameterError("white", "must be positive");
+  std::string bytes = "P5\n" + std::to_string(image.width) + " " + std::to_string(image.height) +
+                      "\n" + std::to_string(image.white) + "\n";
+  const bool is_wide = image.white > 255;
+  bytes.reserve(bytes.size() + (is_wide ? 2 : 1) * image.values.size());
+  for (const std::uint16_t value : image.values) {
+    if (value > image.white) throw ParameterError("values", "must not be brighter than white");
+    if (is_wide) bytes.push_back(static_cast<char>(value >> 8));
+    bytes.push_back(static_cast<char>(value & 0xff));
+  }
+  return bytes;
+}
+
 }  // namespace setsquare

@@ -25,4 +25,9 @@ struct PgmImage {
 /// pixels.
 [[nodiscard]] PgmImage read_pgm(std::unique_ptr<ByteSource> source, const std::string& name);
 
+/// The image as a binary PGM file's bytes (P5): one byte a pixel where white is at most 255, else
+/// two, the higher first. Throws ParameterError where the sides are not positive, do not give the
+/// number of values, or a pixel is brighter than white.
+[[nodiscard]] std::string pgm_from_image(const PgmImage& image);
+
 }  // namespace setsquare
