@@ -30,7 +30,7 @@ function paintMarks(context, path, kind, radius) {
   const width = Math.max(1.2, 0.42 * radius);
   context.lineCap = "round";
   context.strokeStyle = themeColor("casing");
-  context.lineWidth = kind === "accepted" ? 1.5 : width + 2;
+  context.lineWidth = kind === "accepted" ? Math.min(1.5, 0.4 * radius) : width + 2;
   context.stroke(path);
   context.strokeStyle = context.fillStyle = themeColor(kind);
   if (kind === "accepted") {
@@ -64,10 +64,11 @@ class ClosureDrawing {
     const middle = (values) => Float64Array.from(closures.i, (i, k) => 0.5 * (values[i] + values[closures.j[k]]));
     this.u = middle(scans.u);
     this.v = middle(scans.v);
+    this.length = closures.i.map((i, k) => Math.hypot(scans.u[i] - scans.u[closures.j[k]], scans.v[i] - scans.v[closures.j[k]]));
   }
 
   radius(view) {
-    return Math.min(5.5, Math.max(1.7, 0.14 * view.scale));
+    return Math.min(5.5, Math.max(1.6, 0.09 * view.scale));
   }
 
   direction(k) {
@@ -78,14 +79,8 @@ class ClosureDrawing {
     const radius = this.radius(view);
     for (const kind of [...kKinds].reverse()) {
       if (!shared.kinds[kind]) continue;
-      const lines = new Path2D();
-      const marks = new Path2D();
-      for (let k = 0; k < this.closures.count; ++k) {
-        if (this.closures.kind[k] !== kind) continue;
-        this.addLine(lines, view, k);
-        addMark(marks, kind, view.column(this.u[k]), view.row(this.v[k]), radius, this.direction(k));
-      }
-      context.globalAlpha = 0.55;
+      const { lines, marks } = this.paths(view, kind, radius);
+      context.globalAlpha = 0.5;
       context.strokeStyle = themeColor(kind);
       context.lineWidth = 1;
       context.setLineDash(kind === "refused" ? [4, 3] : []);
@@ -95,6 +90,29 @@ class ClosureDrawing {
       paintMarks(context, marks, kind, radius);
     }
     if (shared.selected >= 0) this.drawSelected(context, view, shared.selected);
+  }
+
+  /** Lines and marks of a kind; those out of sight, or hidden by marks in their place, left out. */
+  paths(view, kind, radius) {
+    const lines = new Path2D();
+    const marks = new Path2D();
+    const { width, height } = view;
+    const spacing = Math.max(1, 0.6 * radius);
+    const taken = new Set();
+    for (let k = 0; k < this.closures.count; ++k) {
+      if (this.closures.kind[k] !== kind) continue;
+      const column = view.column(this.u[k]);
+      const row = view.row(this.v[k]);
+      const length = this.length[k] * view.scale;
+      const reach = 0.5 * length + 12;
+      if (column < -reach || row < -reach || column > width + reach || row > height + reach) continue;
+      if (length > 2.5 * radius) this.addLine(lines, view, k);
+      const spot = Math.round(column / spacing) * 65536 + Math.round(row / spacing);
+      if (taken.has(spot)) continue;
+      taken.add(spot);
+      addMark(marks, kind, column, row, radius, this.direction(k));
+    }
+    return { lines, marks };
   }
 
   addLine(path, view, k) {

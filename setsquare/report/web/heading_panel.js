@@ -38,7 +38,7 @@ class HeadingPanel {
 
   row(value) {
     const [low, high] = this.curves[this.curve].range;
-    const height = this.canvas.clientHeight - kPlotMargin.top - kPlotMargin.bottom;
+    const height = this.view.height - kPlotMargin.top - kPlotMargin.bottom;
     return kPlotMargin.top + (height * (high - value)) / (high - low);
   }
 
@@ -50,21 +50,21 @@ class HeadingPanel {
     this.drawAxes(context, curve);
     context.save();
     context.beginPath();
-    context.rect(kPlotMargin.left, kPlotMargin.top, this.view.width(),
-                 this.canvas.clientHeight - kPlotMargin.top - kPlotMargin.bottom);
+    context.rect(kPlotMargin.left, kPlotMargin.top, this.view.length(),
+                 this.view.height - kPlotMargin.top - kPlotMargin.bottom);
     context.clip();
     this.drawBands(context);
     if (curve.tracked) this.drawLine(context, curve, curve.tracked, "tracked", this.curve === "drift" ? 1.8 : 1, [5, 3]);
-    if (curve.fused) this.drawLine(context, curve, curve.fused, "fused", 1.4, []);
     if (curve.points) this.drawPoints(context, curve.points);
+    this.drawLine(context, curve, curve.fused, "fused", 1.3, []);
     this.drawSelected(context);
     if (this.pointed >= 0) this.drawUpright(context, this.headings.t[this.pointed], "pointed", [2, 3]);
     context.restore();
   }
 
   drawAxes(context, curve) {
-    const bottom = this.canvas.clientHeight - kPlotMargin.bottom;
-    const right = kPlotMargin.left + this.view.width();
+    const bottom = this.view.height - kPlotMargin.bottom;
+    const right = kPlotMargin.left + this.view.length();
     context.strokeStyle = themeColor("line");
     context.fillStyle = themeColor("faint");
     context.lineWidth = 1;
@@ -79,7 +79,7 @@ class HeadingPanel {
       lines.lineTo(right, row);
       context.fillText(fixed(tick, step < 1 ? 1 : 0) + kDegree, kPlotMargin.left - 8, row);
     }
-    const seconds = this.view.width() / this.view.scale;
+    const seconds = this.view.length() / this.view.scale;
     const spacing = [0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 30, 60, 120, 300, 600, 1200, 1800, 3600, 7200, 14400, 36000, 86400]
       .find((size) => size * this.view.scale >= 90) || seconds;
     context.textAlign = "center";
@@ -100,7 +100,7 @@ class HeadingPanel {
     for (const { from, to, code } of this.bands) {
       context.fillStyle = themeColor(code === 1 ? "degenerate" : "lost");
       const left = this.view.column(from);
-      context.fillRect(left, 0, Math.max(this.view.column(to) - left, 1.5), this.canvas.clientHeight);
+      context.fillRect(left, 0, Math.max(this.view.column(to) - left, 1.5), this.view.height);
     }
     context.globalAlpha = 1;
   }
@@ -145,7 +145,7 @@ class HeadingPanel {
     context.setLineDash(dash);
     context.beginPath();
     context.moveTo(this.view.column(time), 0);
-    context.lineTo(this.view.column(time), this.canvas.clientHeight);
+    context.lineTo(this.view.column(time), this.view.height);
     context.stroke();
     context.setLineDash([]);
   }

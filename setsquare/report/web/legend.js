@@ -36,7 +36,11 @@ class MapLegend {
       legend.append(entry(this.word, this.low, this.ramp, this.high), entry(discSwatch("start", 6), "start"), entry(discSwatch("end", 4.5), "end"));
     }
     this.addConditions(legend, report.poses);
-    for (const kind of kKinds) legend.append(this.filter(kind, report.closures.sums[kind]));
+    const filters = element("div", "filters", element("span", "", term("Closures", "loop closure"), " shown:"));
+    filters.setAttribute("role", "group");
+    filters.setAttribute("aria-label", "Closures shown");
+    legend.append(filters);
+    for (const kind of kKinds) filters.append(this.filter(kind, report.closures.sums[kind]));
     const update = () => this.update();
     kDark.addEventListener("change", update);
     shared.listeners.push((what) => what === "color" && update());

@@ -149,7 +149,7 @@ class OverlayPanel {
     const visit = (scan) => clock(scans.t[scan]) + "  (stamp " + stampText(start, scans.t[scan]) + ")";
     add(element("span", "", dot("reference"), " first scan"), visit(i));
     add(element("span", "", dot("current"), " second scan"), visit(j) + ", " + duration(closures.apart[k]) + " apart");
-    add("second from first", "x " + inMetres(closures.x[k], 3) + ", y " + inMetres(closures.y[k], 3) + ", " + inDegrees(closures.h[k], 2));
+    add("seen from the first", "x " + inMetres(closures.x[k], 3) + ", y " + inMetres(closures.y[k], 3) + ", " + inDegrees(closures.h[k], 2));
     add(term("weight"), fixed(closures.weight[k], 2));
     add(term("misfit"), inMetres(closures.misfit[k], 3) + (axes === "xy" ? "" : " along " + axes) + ", " +
         inDegrees(closures.turnMisfit[k], 2));

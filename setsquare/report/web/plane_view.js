@@ -11,7 +11,8 @@ class PlaneView {
     this.onPoint = onPoint;
     this.pointers = new Map();
     this.isFitted = true;
-    this.setBox(box);
+    this.box = box;
+    this.measure();
     canvas.addEventListener("wheel", (event) => this.wheel(event), { passive: false });
     canvas.addEventListener("pointerdown", (event) => this.press(event));
     canvas.addEventListener("pointermove", (event) => this.move(event));
@@ -23,7 +24,15 @@ class PlaneView {
     for (const button of controls.querySelectorAll("[data-zoom]")) {
       button.addEventListener("click", () => this.command(button.dataset.zoom));
     }
-    new ResizeObserver(() => this.isFitted && this.fit()).observe(canvas);
+    new ResizeObserver(() => this.measure()).observe(canvas);
+  }
+
+  /** Takes the canvas's size, in CSS pixels: asking it for each point would be slow. */
+  measure() {
+    this.width = this.canvas.clientWidth;
+    this.height = this.canvas.clientHeight;
+    if (this.isFitted) this.fit();
+    else this.onChange();
   }
 
   setBox(box) {
@@ -34,11 +43,9 @@ class PlaneView {
   /** Shows the whole box. */
   fit() {
     const [left, bottom, right, top] = this.box;
-    const width = Math.max(right - left, 0.5);
-    const height = Math.max(top - bottom, 0.5);
-    const margin = Math.min(24, 0.06 * this.canvas.clientWidth);
-    this.scale = Math.min((this.canvas.clientWidth - 2 * margin) / width,
-                          (this.canvas.clientHeight - 2 * margin) / height);
+    const margin = Math.min(24, 0.06 * this.width);
+    this.scale = Math.min((this.width - 2 * margin) / Math.max(right - left, 0.5),
+                          (this.height - 2 * margin) / Math.max(top - bottom, 0.5));
     this.scale = Math.max(this.scale, 1e-3);
     this.fittedScale = this.scale;
     this.u = 0.5 * (left + right);
@@ -48,16 +55,16 @@ class PlaneView {
   }
 
   /** Pixel of a place in m. */
-  column(u) { return 0.5 * this.canvas.clientWidth + (u - this.u) * this.scale; }
-  row(v) { return 0.5 * this.canvas.clientHeight - (v - this.v) * this.scale; }
+  column(u) { return 0.5 * this.width + (u - this.u) * this.scale; }
+  row(v) { return 0.5 * this.height - (v - this.v) * this.scale; }
   /** Place in m of a pixel. */
   place(column, row) {
-    return [this.u + (column - 0.5 * this.canvas.clientWidth) / this.scale,
-            this.v - (row - 0.5 * this.canvas.clientHeight) / this.scale];
+    return [this.u + (column - 0.5 * this.width) / this.scale,
+            this.v - (row - 0.5 * this.height) / this.scale];
   }
 
   /** Zooms by a factor; the place under the pixel stays. */
-  zoom(factor, column = 0.5 * this.canvas.clientWidth, row = 0.5 * this.canvas.clientHeight) {
+  zoom(factor, column = 0.5 * this.width, row = 0.5 * this.height) {
     const [u, v] = this.place(column, row);
     const scale = Math.min(Math.max(this.scale * factor, 0.2 * this.fittedScale), 4000);
     this.u = u - (u - this.u) * (this.scale / scale);
@@ -79,8 +86,8 @@ class PlaneView {
     const rim = 40;
     const column = this.column(u);
     const row = this.row(v);
-    if (column > rim && row > rim && column < this.canvas.clientWidth - rim &&
-        row < this.canvas.clientHeight - rim) return;
+    if (column > rim && row > rim && column < this.width - rim &&
+        row < this.height - rim) return;
     this.u = u;
     this.v = v;
     this.isFitted = false;

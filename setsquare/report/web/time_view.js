@@ -10,12 +10,12 @@ class TimeView extends PlaneView {
     super(canvas, [times[0], 0, times[1], 0], actions);
   }
 
-  width() { return Math.max(this.canvas.clientWidth - kPlotMargin.left - kPlotMargin.right, 1); }
+  length() { return Math.max(this.width - kPlotMargin.left - kPlotMargin.right, 1); }
 
   fit() {
     const length = Math.max(this.box[2] - this.box[0], 1);
     this.from = this.box[0] - 0.01 * length;
-    this.scale = this.width() / (1.02 * length);
+    this.scale = this.length() / (1.02 * length);
     this.fittedScale = this.scale;
     this.isFitted = true;
     this.onChange();
@@ -24,7 +24,7 @@ class TimeView extends PlaneView {
   column(time) { return kPlotMargin.left + (time - this.from) * this.scale; }
   time(column) { return this.from + (column - kPlotMargin.left) / this.scale; }
 
-  zoom(factor, column = kPlotMargin.left + 0.5 * this.width()) {
+  zoom(factor, column = kPlotMargin.left + 0.5 * this.length()) {
     const time = this.time(column);
     const scale = Math.min(Math.max(this.scale * factor, this.fittedScale), 400);
     this.from = time - (time - this.from) * (this.scale / scale);
@@ -44,7 +44,7 @@ class TimeView extends PlaneView {
   /** Never leaves the run. */
   clamp() {
     const slack = 0.01 * Math.max(this.box[2] - this.box[0], 1);
-    const last = this.box[2] + slack - this.width() / this.scale;
+    const last = this.box[2] + slack - this.length() / this.scale;
     this.from = Math.max(Math.min(this.from, last), this.box[0] - slack);
   }
 }

@@ -47,20 +47,24 @@ class TrackDrawing {
   }
 
   draw(context, view) {
-    const columns = Float32Array.from(this.poses.u, (u) => view.column(u));
-    const rows = Float32Array.from(this.poses.v, (v) => view.row(v));
+    const columns = new Float32Array(this.count);
+    const rows = new Float32Array(this.count);
+    for (let k = 0; k < this.count; ++k) {
+      columns[k] = view.column(this.poses.u[k]);
+      rows[k] = view.row(this.poses.v[k]);
+    }
     const width = Math.min(3.2, Math.max(1.3, 0.05 * view.scale));
-    context.lineJoin = context.lineCap = "round";
+    context.lineJoin = context.lineCap = width > 2 ? "round" : "butt";
     const { condition } = this.poses;
-    context.globalAlpha = 0.5;
+    context.globalAlpha = 0.6;
     for (const [code, name] of [[1, "degenerate"], [3, "lost"]]) {
       context.strokeStyle = themeColor(name);
-      context.lineWidth = 3 * width + 4;
+      context.lineWidth = 2.5 * width + 6;
       this.stroke(context, columns, rows, (k) => condition[k] === code);
     }
     context.globalAlpha = 1;
     context.lineWidth = width;
-    this.drawColored(context, columns, rows);
+    this.drawColored(context, view, columns, rows);
     context.setLineDash([5, 5]);
     context.strokeStyle = themeColor("lost");
     this.stroke(context, columns, rows, (k) => condition[k] === 3);
@@ -69,17 +73,26 @@ class TrackDrawing {
     this.drawEnds(context, columns, rows);
   }
 
-  /** One path a colour: some dozens of strokes, however many poses. */
-  drawColored(context, columns, rows) {
+  /** One path a colour: some dozens of strokes, however many poses. What lies out of sight, or less
+      than a pixel from what was drawn last, is left out. */
+  drawColored(context, view, columns, rows) {
     const tones = this.tones[shared.colorBy];
     const colors = ramp(shared.colorBy === "time" ? "time" : "sigma");
     const paths = colors.map(() => new Path2D());
+    const { width, height } = view;
+    const isBeyond = (a, b, end) => (a < -9 && b < -9) || (a > end + 9 && b > end + 9);
     let from = 0;
+    let tone = -1;  // Of the stretch before, where the line goes on from it.
     for (let k = 1; k < this.count; ++k) {
-      const isNear = Math.abs(columns[k] - columns[from]) + Math.abs(rows[k] - rows[from]) < 0.7;
+      const isNear = Math.abs(columns[k] - columns[from]) + Math.abs(rows[k] - rows[from]) < 1;
       if (isNear && k + 1 < this.count) continue;
-      paths[tones[k]].moveTo(columns[from], rows[from]);
-      paths[tones[k]].lineTo(columns[k], rows[k]);
+      if (isBeyond(columns[from], columns[k], width) || isBeyond(rows[from], rows[k], height)) {
+        tone = -1;
+      } else {
+        if (tones[k] !== tone) paths[tones[k]].moveTo(columns[from], rows[from]);
+        paths[tones[k]].lineTo(columns[k], rows[k]);
+        tone = tones[k];
+      }
       from = k;
     }
     colors.forEach((color, k) => {
