@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/output_set.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <random>
+#include <set>
+#include <string>
+#include <thread>
+
+#include "setsquare/core/error.hpp"
+#include "tests/support/seed.hpp"
+
+namespace setsquare {
+namespace {
+
+namespace fs = std::filesystem;
+using app::OutputSet;
+
+const std::vector<std::string> kNames = {"map.pgm", "map.yaml", "map.png", "extra.tsv", "run.json"};
+
+class OutputSetTest : public ::testing::Test {
+ protected:
+  void SetUp() override { fs::remove_all(folder_); }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string content(const std::string& name) const {
+    std::ifstream file(folder_ / name, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void put(const fs::path& name, const std::string& bytes) const {
+    fs::create_directories((folder_ / name).parent_path());
+    std::ofstream(folder_ / name, std::ios::binary) << bytes;
+  }
+  /// Names of all that is in the folder, hidden or not.
+  [[nodiscard]] std::set<std::string> entries() const {
+    std::set<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) names.insert(entry.path().filename());
+    return names;
+  }
+  /// All files but extra.tsv, each with the same text.
+  void write_set(const std::string& text) const {
+    OutputSet outputs(folder_.string(), kNames);
+    for (const std::string& name : kNames) {
+      if (name != "extra.tsv") outputs.add(name, text);
+    }
+    outputs.commit();
+  }
+  void expect_set(const std::string& text) const {
+    EXPECT_EQ(entries(), (std::set<std::string>{"map.pgm", "map.yaml", "map.png", "run.json"}));
+    for (const std::string& name : entries()) EXPECT_EQ(content(name), text) << name;
+  }
+
+  const fs::path folder_ = fs::path(::testing::TempDir()) / "setsquare_output_set";
+};
+
+TEST_F(OutputSetTest, AllFilesComeAtOnceAndReplaceTheLastSet) {
+  {
+    OutputSet outputs((folder_ / "deep").string(), kNames);
+    for (const std::string& name : kNames) outputs.add(name, "one");
+    for (const std::string& name : kNames) EXPECT_FALSE(fs::exists(folder_ / "deep" / name));
+    outputs.commit();
+    for (const std::string& name : kNames) EXPECT_TRUE(fs::exists(folder_ / "deep" / name));
+  }
+  fs::rename(folder_ / "deep", folder_.string() + "_moved");
+  fs::remove(folder_);
+  fs::rename(folder_.string() + "_moved", folder_);
+  EXPECT_TRUE(fs::exists(folder_ / "extra.tsv"));
+  write_set("two");
+  expect_set("two");  // extra.tsv was the last set's
+}
+
+TEST_F(OutputSetTest, WithoutCommitNothingChanges) {
+  {
+    OutputSet outputs((folder_ / "a" / "b").string(), kNames);
+    outputs.add("map.png", "half");
+  }
+  EXPECT_FALSE(fs::exists(folder_)) << "the directories that it made are gone";
+  write_set("one");
+  {
+    OutputSet outputs(folder_.string(), kNames);
+    outputs.add("map.png", "half");
+  }
+  expect_set("one");
+}
+
+TEST_F(OutputSetTest, OtherFilesAreLeftAlone) {
+  put("notes.txt", "mine");
+  write_set("one");
+  EXPECT_EQ(content("notes.txt"), "mine");
+  EXPECT_EQ(entries().size(), 5U);
+}
+
+TEST_F(OutputSetTest, WhatAKilledRunKeptAsideGoes) {
+  write_set("one");
+  put(".setsquare-new/map.png", "half");
+  write_set("two");
+  expect_set("two");
+}
+
+TEST_F(OutputSetTest, AKillWithinTheCommitIsMadeGoodByTheNextRun) {
+  // After the first rename: the old set is there, or what is left of it.
+  for (const bool is_old_whole : {true, false}) {
+    fs::remove_all(folder_);
+    for (const char* const name : {"map.pgm", "extra.tsv"}) put(name, "old");
+    if (is_old_whole) put("run.json", "old");
+    for (const std::string& name : kNames) {
+      if (name != "extra.tsv") put(".setsquare-whole/" + name, "new");
+    }
+    { const OutputSet next(folder_.string(), kNames); }
+    expect_set("new");
+  }
+  // While the new files take their places.
+  fs::remove_all(folder_);
+  put("map.pgm", "new");
+  for (const char* const name : {"map.yaml", "map.png", "run.json"}) {
+    put(std::string(".setsquare-move/") + name, "new");
+  }
+  { const OutputSet next(folder_.string(), kNames); }
+  expect_set("new");
+}
+
+TEST_F(OutputSetTest, ARunKilledAtAnyMomentLeavesOneWholeSetOrSaysSo) {
+  write_set("0");
+  std::mt19937_64 generator = testing::make_generator();
+  std::uniform_int_distribution<int> delay_us(0, 6000);
+  int num_whole = 0;
+  for (int round = 0; round < 60; ++round) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int i = 1;; ++i) write_set(std::to_string(i) + std::string(20'000, '.'));
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(delay_us(generator)));
+    ASSERT_EQ(::kill(child, SIGKILL), 0);
+    ASSERT_EQ(::waitpid(child, nullptr, 0), child);
+    const bool is_whole = fs::exists(folder_ / "run.json");
+    num_whole += is_whole;
+    std::set<std::string> texts;
+    for (const std::string& name : kNames) {
+      if (fs::exists(folder_ / name)) texts.insert(content(name));
+    }
+    EXPECT_LE(texts.size(), 1U) << "files of two runs, or a half one";
+    if (is_whole) {
+      for (const char* const name : {"map.pgm", "map.yaml", "map.png"}) {
+        EXPECT_TRUE(fs::exists(folder_ / name)) << name;
+      }
+    }
+    { const OutputSet next(folder_.string(), kNames); }
+    expect_set(content("run.json"));
+    EXPECT_FALSE(content("run.json").empty());
+  }
+  EXPECT_GT(num_whole, 0);
+}
+
+TEST_F(OutputSetTest, TwoRunsDoNotWriteIntoOneDirectory) {
+  OutputSet first(folder_.string(), kNames);
+  EXPECT_THROW(OutputSet(folder_.string(), kNames), FileError);
+  first.add("run.json", "one");
+  first.commit();
+  EXPECT_EQ(content("run.json"), "one");
+}
+
+TEST_F(OutputSetTest, ADirectoryInAFilesPlaceIsToldAtOnce) {
+  put("map.png/x", "");
+  EXPECT_THROW(OutputSet(folder_.string(), kNames), FileError);
+  EXPECT_EQ(entries(), std::set<std::string>{"map.png"});
+}
+
+}  // namespace
+}  // namespace setsquare
