@@ -1,0 +1,254 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/io/closures_tsv.hpp"
+#include "setsquare/io/trajectory_tum.hpp"
+#include "tests/integration/run_setsquare.hpp"
+#include "tests/support/data_dir.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::CommandOutcome;
+using ::testing::HasSubstr;
+using ::testing::Not;
+using testing::run_setsquare;
+using ::testing::StartsWith;
+using testing::TemporaryFolder;
+using Json = nlohmann::json;
+
+/// A robot that drives twice along the same 20 m, 0.1 m a scan, 10 scans a second, looking along
+/// the map's y; the second time begins 100 s after the first.
+Trajectory two_drives() {
+  Trajectory trajectory;
+  for (int drive = 0; drive < 2; ++drive) {
+    for (int k = 0; k < 200; ++k) {
+      trajectory.push_back(
+          {timestamp_from_seconds(100.0 * drive + 0.1 * k), {3.0, 0.1 * k, kPi / 2}});
+    }
+  }
+  return trajectory;
+}
+
+/// Each fifth scan seen from the one of the other drive, and the next one of its drive.
+std::string relations_of(const Trajectory& trajectory) {
+  std::string text;
+  const auto append = [&](std::size_t a, std::size_t b) {
+    const Pose2 T = trajectory[a].pose.inverse() * trajectory[b].pose;
+    text += to_string(trajectory[a].stamp) + " " + to_string(trajectory[b].stamp) + " " +
+            std::to_string(T.x_m) + " " + std::to_string(T.y_m) + " 0 0 0 " +
+            std::to_string(T.theta_rad) + "\n";
+  };
+  for (std::size_t k = 0; k + 5 < 200; k += 5) {
+    append(k, k + 200);
+    append(k, k + 5);
+    append(k + 200, k + 205);
+  }
+  return text;
+}
+
+/// Scans of the second drive seen from the first: a right one, one 1 m too far ahead (along the
+/// map's y), the same one as a closure of x alone, a refused one, one that nothing tells of.
+std::vector<LoopClosure> closures() {
+  const auto closure = [](int i, int j, double x_m, ClosureAxes axes, bool is_accepted) {
+    const auto stamp = [](int k) {
+      return timestamp_from_seconds(k < 200 ? 0.1 * k : 80 + 0.1 * k);
+    };
+    return LoopClosure{stamp(i), stamp(j), {x_m, 0, 0}, axes, is_accepted, 0.8, "of a test"};
+  };
+  return {closure(11, 213, 0.2, ClosureAxes::kXY, true),
+          closure(31, 231, 1.0, ClosureAxes::kXY, true),
+          closure(51, 251, 1.0, ClosureAxes::kX, true),
+          closure(71, 271, 0.0, ClosureAxes::kXY, false),
+          closure(11, 900, 0.0, ClosureAxes::kXY, true)};
+}
+
+/// The files of such a run, in a folder of their own.
+class CommandEvaluateClosures : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    write_trajectory_tum((folder_.path() / "trajectory.tum").string(), two_drives());
+    closures_ = folder_.write("closures.tsv", tsv_from_closures(closures()));
+    relations_ = folder_.write("true.relations", relations_of(two_drives()));
+    truth_ = folder_.write("truth.tum", tum_from_trajectory(two_drives()));
+  }
+
+  [[nodiscard]] static Json json_of(const std::string& arguments) {
+    const CommandOutcome outcome = run_setsquare("evaluate closures --json " + arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return Json::parse(outcome.out);
+  }
+
+  TemporaryFolder folder_;
+  std::string closures_;
+  std::string relations_;
+  std::string truth_;
+};
+
+void expect_verdicts(const Json& json) {
+  EXPECT_EQ(json["accepted"]["num_closures"], 4);
+  EXPECT_EQ(json["accepted"]["num_right"], 2);
+  EXPECT_EQ(json["accepted"]["num_wrong"], 1);
+  EXPECT_NEAR(json["accepted"]["wrong_share"].get<double>(), 1.0 / 3.0, 1e-12);
+  EXPECT_EQ(json["accepted"]["num_unjudged"], 1);
+  EXPECT_EQ(json["refused"]["num_right"], 1);
+  EXPECT_EQ(json["num_heavy_wrong"], 1);
+}
+
+TEST_F(CommandEvaluateClosures, ByRelationsAndByATrueTrajectoryTheVerdictIsTheSame) {
+  expect_verdicts(json_of(closures_ + " " + relations_));
+  expect_verdicts(json_of(closures_ + " " + truth_));
+  expect_verdicts(json_of(closures_ + " " + truth_ + " --reference-kind trajectory"));
+}
+
+TEST_F(CommandEvaluateClosures, ListsTheWrongOne) {
+  const CommandOutcome table =
+      run_setsquare("evaluate closures --list " + closures_ + " " + relations_);
+  EXPECT_EQ(table.exit_code, 0) << table.err;
+  EXPECT_THAT(table.out, HasSubstr("33.33 %"));
+  EXPECT_THAT(table.out, HasSubstr("weight above 0.3: 1"));
+  EXPECT_THAT(table.out,
+              HasSubstr("\n3.100000\t103.100000\twrong\t1.000\t0.000\txy\t0.800\tof a test\n"));
+  EXPECT_THAT(table.out, Not(HasSubstr("5.100000\t")));
+  const Json json = json_of("--list " + closures_ + " " + truth_);
+  ASSERT_EQ(json["doubtful"].size(), 1U);
+  EXPECT_EQ(json["doubtful"][0]["stamp_j"], "103.100000");
+  EXPECT_NEAR(json["doubtful"][0]["translation_error_m"].get<double>(), 1.0, 1e-6);
+}
+
+TEST_F(CommandEvaluateClosures, TheTrajectoryMayLieElsewhere) {
+  std::filesystem::create_directory(folder_.path() / "alone");
+  const std::string moved = folder_.write("alone/closures.tsv", tsv_from_closures(closures()));
+  const CommandOutcome missing = run_setsquare("evaluate closures " + moved + " " + relations_);
+  EXPECT_EQ(missing.exit_code, 2);
+  EXPECT_THAT(missing.err, HasSubstr("alone/trajectory.tum: No such file"));
+  expect_verdicts(json_of(moved + " " + relations_ + " --trajectory " + truth_));
+  const Json without_headings = json_of(moved + " " + truth_);
+  EXPECT_EQ(without_headings["accepted"]["num_unjudged"], 2) << "that of a single axis, too";
+}
+
+TEST_F(CommandEvaluateClosures, FilesThatDoNotBelongTogetherAreRefusedInOneLine) {
+  const std::string other_relations = folder_.write("o.relations", "7000 8000 1 0 0 0 0 0\n");
+  const std::string other_truth = folder_.write("o.tum", "7000 1 0 0 0 0 0 1\n");
+  const std::string odd =
+      folder_.write("odd", "1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n3 0 0 0 0 0 0 2\n");
+  for (const auto& [arguments, expected] : std::vector<std::pair<std::string, std::string>>{
+           {closures_ + " " + other_relations, "o.relations: no line has both its stamps"},
+           {closures_ + " " + other_truth, "closures.tsv: no line has both its stamps"},
+           {closures_ + " " + odd, "odd: neither relations nor a trajectory for sure"},
+           {closures_ + " -", "say --reference-kind"},
+           {closures_ + " " + closures_, "closures.tsv, line 1: expected eight numbers"},
+           {truth_ + " " + relations_, "truth.tum, line 1: expected the header"},
+           {closures_ + " " + relations_ + " --reference-kind map", "--reference-kind"}}) {
+    const CommandOutcome outcome = run_setsquare("evaluate closures " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_THAT(outcome.err, StartsWith("setsquare: "));
+    EXPECT_THAT(outcome.err, HasSubstr(expected));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST_F(CommandEvaluateClosures, AMapWithoutClosuresHasNoShareOfWrongOnes) {
+  const std::string none = folder_.write("none.tsv", tsv_from_closures({}));
+  EXPECT_TRUE(json_of(none + " " + relations_)["accepted"]["wrong_share"].is_null());
+  EXPECT_THAT(run_setsquare("evaluate closures " + none + " " + relations_).out, HasSubstr(" - "));
+}
+
+TEST(CommandEvaluateChains, TellWhetherToBelieveTheJudge) {
+  const TemporaryFolder folder;
+  const std::string relations = folder.write("true.relations", relations_of(two_drives()));
+  const CommandOutcome outcome = run_setsquare("evaluate chains --json " + relations);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["num_relations"], 39);
+  EXPECT_GT(json["num_chained"], 0);
+  EXPECT_EQ(json["num_off"], 0);
+  EXPECT_THAT(run_setsquare("evaluate chains " + relations).out, HasSubstr("39 relations"));
+}
+
+// The second trajectory lies elsewhere, in another order, and is 0.1 m off along its way.
+TEST(CommandEvaluateTrajectory, AbsoluteAndRelativeErrors) {
+  const TemporaryFolder folder;
+  const Trajectory truth = two_drives();
+  Trajectory judged(truth.rbegin(), truth.rend());
+  for (StampedPose& stamped : judged) {
+    if (stamped.stamp.seconds() >= 100.0) stamped.pose.x_m += 0.1;
+    stamped.pose = Pose2{-4, 2, 1.0} * stamped.pose;
+  }
+  const std::string files = folder.write("judged.tum", tum_from_trajectory(judged)) + " " +
+                            folder.write("truth.tum", tum_from_trajectory(truth));
+  const CommandOutcome ate = run_setsquare("evaluate ate --json " + files);
+  ASSERT_EQ(ate.exit_code, 0) << ate.err;
+  const Json best = Json::parse(ate.out);
+  EXPECT_EQ(best["num_pairs"], 400);
+  EXPECT_NEAR(best["translation_m"]["mean"].get<double>(), 0.05, 1e-3);
+  const Json first = Json::parse(run_setsquare("evaluate ate --json --align first " + files).out);
+  EXPECT_NEAR(first["translation_m"]["mean"].get<double>(), 0.05, 1e-5);
+  EXPECT_NEAR(first["translation_m"]["max"].get<double>(), 0.1, 1e-5);
+  EXPECT_NEAR(first["final"]["translation_m"].get<double>(), 0.1, 1e-5);
+  const Json none = Json::parse(run_setsquare("evaluate ate --json --align none " + files).out);
+  EXPECT_GT(none["translation_m"]["mean"], 1.0);
+  EXPECT_NEAR(none["rotation_deg"]["mean"].get<double>(), deg_from_rad(1.0), 1e-5);
+  const Json rpe = Json::parse(run_setsquare("evaluate rpe --json " + files).out);
+  // 190 spans of 1 m on each drive; between them the reference jumps back 19.9 m.
+  EXPECT_EQ(rpe["num_spans"], 380);
+  EXPECT_EQ(rpe["num_left_out"], 10);
+  EXPECT_LT(rpe["translation_m"]["max"], 1e-5);
+  const Json over_time =
+      Json::parse(run_setsquare("evaluate rpe --json --delta-s 100 " + files).out);
+  EXPECT_EQ(over_time["num_spans"], 200);
+  EXPECT_NEAR(over_time["translation_m"]["mean"].get<double>(), 0.1, 1e-5);
+  EXPECT_THAT(run_setsquare("evaluate ate " + files).out, HasSubstr("rotation, deg"));
+  EXPECT_THAT(run_setsquare("evaluate rpe --delta-poses 3 " + files).out, HasSubstr("397 spans"));
+}
+
+TEST(CommandEvaluateTrajectory, WhatCannotBeComparedIsRefusedInOneLine) {
+  const TemporaryFolder folder;
+  const std::string truth = folder.write("truth.tum", tum_from_trajectory(two_drives()));
+  const std::string later = folder.write("later.tum", "5000 1 0 0 0 0 0 1\n");
+  const std::string damaged = folder.write("damaged.tum", "1 1 0 0 0 0 0 1\n2 0\n");
+  for (const auto& [arguments, expected] : std::vector<std::pair<std::string, std::string>>{
+           {"ate " + truth + " " + later, "later.tum: no pose at the time of one in"},
+           {"ate " + damaged + " " + truth, "damaged.tum, line 2: expected"},
+           {"ate " + truth + " " + truth + " --align last", "--align"},
+           {"ate " + truth, "reference is required"},
+           {"rpe " + truth + " " + truth + " --delta-m 5000", "no two paired poses"},
+           {"rpe " + truth + " " + truth + " --delta-m -1", "--delta-m"},
+           {"rpe " + truth + " " + truth + " --delta-m 1 --delta-s 1", "excludes"},
+           {"rpe " + truth + " " + truth + " --max-time-difference -1", "--max-time-difference"}}) {
+    const CommandOutcome outcome = run_setsquare("evaluate " + arguments);
+    EXPECT_EQ(outcome.exit_code, 2) << arguments;
+    EXPECT_EQ(outcome.out, "") << arguments;
+    EXPECT_THAT(outcome.err, HasSubstr(expected));
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+  }
+}
+
+TEST(CommandEvaluateRealRelations, ChainsForetellWhatTheyDoNotContain) {
+  for (const std::string log : {"intel", "aces", "fr079"}) {
+    const auto relations = testing::data_file(log + "/" + log + ".relations");
+    if (!relations) GTEST_SKIP() << "no data folder";
+    const CommandOutcome outcome =
+        run_setsquare("evaluate chains --json '" + relations->string() + "'");
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const Json json = Json::parse(outcome.out);
+    EXPECT_GT(json["num_chained"].get<double>(), 0.8 * json["num_relations"].get<double>()) << log;
+    EXPECT_EQ(json["num_off"], json["num_off_disputed"]) << log;
+    EXPECT_LE(json["num_off"], 1) << log;
+  }
+}
+
+}  // namespace
+}  // namespace setsquare
