@@ -127,12 +127,13 @@ PositionSystem::~PositionSystem() = default;
 PositionSystem::PositionSystem(PositionSystem&&) noexcept = default;
 PositionSystem& PositionSystem::operator=(PositionSystem&&) noexcept = default;
 
-bool PositionSystem::is_held_by_both_axes(std::span<const double> weights) const {
+std::size_t PositionSystem::num_pieces(std::span<const double> weights, int num_axes) const {
   NodeSets sets(num_nodes_);
   for (std::size_t k = 0; k < terms_.size(); ++k) {
-    if (terms_[k].num_bound_axes == 2 && weights[k] > 0.0) sets.join(terms_[k].from, terms_[k].to);
+    if (terms_[k].num_bound_axes < num_axes || !(weights[k] > 0.0)) continue;
+    sets.join(terms_[k].from, terms_[k].to);
   }
-  return sets.num_sets() <= 1;
+  return sets.num_sets();
 }
 
 void PositionSystem::solve(std::span<const double> weights,
@@ -140,14 +141,15 @@ void PositionSystem::solve(std::span<const double> weights,
   assert(weights.size() == terms_.size());
   assert(positions_m.size() == num_nodes_);
   if (num_nodes_ == 0) return;
+  if (num_pieces(weights, 1) > 1) throw ParameterError("constraints", "leave nodes without a hold");
   const double smallest_pivot = is_separable_ ? std::min(step_axis(0, weights, positions_m),
                                                          step_axis(1, weights, positions_m))
                                               : step_both(weights, positions_m);
-  // Weak constraints in a long chain make small pivots, too: they are judged only where the nodes
-  // do not visibly hang together.
-  const bool is_singular = !(smallest_pivot > kSingularPivot);
-  if (smallest_pivot <= 0.0 || (is_singular && !is_held_by_both_axes(weights))) {
-    throw ParameterError("constraints", "leave the position of a node open");
+  // Weak constraints in a long chain make small pivots, too: these are judged only where some node
+  // hangs on the others by one axis at a time.
+  const bool is_doubtful = !(smallest_pivot > kSingularPivot);
+  if (!(smallest_pivot > 0.0) || (is_doubtful && num_pieces(weights, 2) > 1)) {
+    throw ParameterError("constraints", "leave the position of a node open along an axis");
   }
 }
 

@@ -59,8 +59,8 @@ class PositionSystem {
 
  private:
   struct Equations;
-  /// Whether all nodes hang together by terms that bind both axes.
-  [[nodiscard]] bool is_held_by_both_axes(std::span<const double> weights) const;
+  /// How many sets of nodes there are that hang together by terms that bind so many axes or more.
+  [[nodiscard]] std::size_t num_pieces(std::span<const double> weights, int num_axes) const;
   /// One step of x or y, or of both; each returns BlockEquations::factor(), or 0 and moves nothing.
   double step_axis(int axis,
                    std::span<const double> weights,
