@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "experiments/pair_record.hpp"
-#include "experiments/parallel.hpp"
 #include "experiments/tally.hpp"
+#include "setsquare/core/parallel.hpp"
 
 namespace setsquare::experiments {
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "experiments/chain_errors.hpp"
-#include "experiments/parallel.hpp"
 #include "experiments/scan_chain.hpp"
+#include "setsquare/core/parallel.hpp"
 #include "setsquare/drawing/image.hpp"
 #include "setsquare/sim/building.hpp"
 

@@ -8,8 +8,8 @@
 
 #include "experiments/mrpt_icp_loader.hpp"
 #include "experiments/pair_record.hpp"
-#include "experiments/parallel.hpp"
 #include "experiments/tally.hpp"
+#include "setsquare/core/parallel.hpp"
 
 namespace setsquare::experiments {
 

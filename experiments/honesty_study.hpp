@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "experiments/pair_answer.hpp"
-#include "experiments/parallel.hpp"
 #include "experiments/small_worlds.hpp"
 #include "experiments/tally.hpp"
+#include "setsquare/core/parallel.hpp"
 
 namespace setsquare::experiments {
 

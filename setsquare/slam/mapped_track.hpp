@@ -5,9 +5,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "setsquare/core/loop_closure.hpp"
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/core/timestamp.hpp"
 #include "setsquare/graph/heading_fusion.hpp"
+#include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/slam/scan_tracker.hpp"
 
 namespace setsquare {
@@ -20,13 +22,25 @@ struct MappedScan {
   Pose2 T_map_base;
   double score = 0.0;             ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
   double effective_points = 0.0;  ///< See WeakDirection; 0 by PaperMapper.
+  bool has_odometry = false;      ///< Whether odometry predicted it.
+};
+
+/// A pair of places that was compared, with the scans that it is about.
+struct MappedClosure {
+  LoopClosure closure;
+  std::size_t scan_i = 0;
+  std::size_t scan_j = 0;
 };
 
 /// What a mapper knows at the end.
 struct MappedTrack {
-  std::vector<MappedScan> scans;       ///< Every scan, in the order in which it came.
-  std::vector<std::size_t> keyframes;  ///< Indices of scans.
-  FusedHeadings headings;              ///< One a keyframe; none by PaperMapper.
+  std::vector<MappedScan> scans;        ///< Every scan, in the order in which it came.
+  std::vector<std::size_t> keyframes;   ///< Indices of scans.
+  FusedHeadings headings;               ///< One a keyframe; none by PaperMapper.
+  std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
+  /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
+  /// weights, the headings measured; empty by PaperMapper.
+  PoseGraph graph;
 };
 
 }  // namespace setsquare

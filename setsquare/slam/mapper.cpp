@@ -6,22 +6,74 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/slam/mapped_closures.hpp"
 #include "setsquare/slam/track_assembly.hpp"
 
 namespace setsquare {
+namespace {
+
+/// A closure of less weight does not tell which scans see the same place.
+constexpr double kMinRevisitWeight = 0.5;
+/// Tracked motion is made of the scans that registration compares again.
+constexpr double kTrackedMotionWeight = 0.05;
+
+/// The proposals that the fused headings mean, as measurements in the map frame.
+std::vector<HeadingMeasurement> heading_measurements(const std::vector<HeadingEvidence>& evidence,
+                                                     const FusedHeadings& headings,
+                                                     const HeadingFusionParams& params) {
+  std::vector<HeadingMeasurement> measurements;
+  for (std::size_t k = 0; k < evidence.size(); ++k) {
+    if (evidence[k].proposals.empty() || !(headings.weight[k] > 0.0)) continue;
+    const HeadingProposal& proposal = evidence[k].proposals.front();
+    const double off_rad =
+        wrap_to_period(proposal.heading_rad - headings.heading_rad[k], params.drift.period_rad);
+    const double variance_rad2 = proposal.sigma_rad * proposal.sigma_rad +
+                                 params.building_sigma_rad * params.building_sigma_rad;
+    measurements.push_back({k,
+                            wrap_to_pi(headings.heading_rad[k] + off_rad),
+                            headings.weight[k] * proposal.confidence / variance_rad2});
+  }
+  return measurements;
+}
+
+/// The graph that registration may rely on beside its own comparisons: the tracked motion, made of
+/// the same scans, for little; closures only where they leave an axis open, since registration
+/// compares the others again.
+PoseGraph graph_to_register(const PoseGraph& graph, std::span<const RevisitedPlace> revisits) {
+  PoseGraph kept{.T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
+  for (Constraint constraint : graph.constraints) {
+    const bool is_compared_again =
+        std::any_of(revisits.begin(), revisits.end(), [&](const RevisitedPlace& place) {
+          return place.from == constraint.from && place.to == constraint.to;
+        });
+    if (constraint.kind == ConstraintKind::kLoopClosure && is_compared_again) continue;
+    if (constraint.kind == ConstraintKind::kOdometry) constraint.weight *= kTrackedMotionWeight;
+    kept.constraints.push_back(constraint);
+  }
+  return kept;
+}
+
+}  // namespace
 
 void MapperParams::validate() const {
   tracker.validate();
   direction.validate();
+  motion.validate();
   heading.validate();
-  if (!(rotation.step_sigma_rad > 0.0)) {
-    throw ParameterError("step_sigma_rad", "must be positive");
-  }
+  closing.validate();
+  robust.validate();
+  registration.validate();
   if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");
+  if (!(closing_growth > 0.0)) throw ParameterError("closing_growth", "must be positive");
 }
 
-Mapper::Mapper(const MapperParams& params) : params_(params), tracker_(params.tracker) {
+Mapper::Mapper(const MapperParams& params)
+    : params_(params),
+      tracker_(params.tracker),
+      uncertainty_(params.motion),
+      closer_(params.closing) {
   params_.validate();
 }
 
@@ -30,32 +82,29 @@ TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_b
   std::optional<Pose2> T_wheels_sensor;
   if (T_wheels_base) T_wheels_sensor = *T_wheels_base * scan.T_base_sensor;
   const TrackedPose tracked = tracker_.track(scan, T_wheels_sensor);
-  const TrackedRotationParams& rotation = params_.rotation;
-  if (tracked.status == TrackStatus::kLost) {
-    step_variance_rad2_ += rotation.lost_sigma_rad * rotation.lost_sigma_rad;
-  } else if (tracked.status == TrackStatus::kRecovered) {
-    step_variance_rad2_ += rotation.recovered_sigma_rad * rotation.recovered_sigma_rad;
-  }
-  if (tracked.is_restart) {
-    step_variance_rad2_ += rotation.restart_sigma_rad * rotation.restart_sigma_rad;
-  }
-  if (tracked.is_keyframe) measure_heading(scan, tracked);
-  tracked_.push_back({scan.stamp, tracked, scan.T_base_sensor});
+  uncertainty_.add(tracked, T_wheels_sensor.has_value());
+  scans_.push_back({scan.stamp, tracked, scan.T_base_sensor, T_wheels_sensor.has_value()});
+  if (!tracked.is_keyframe) return tracked;
+
+  add_keyframe(scan);
+  const std::size_t growth =
+      std::max(params_.min_closing_growth,
+               static_cast<std::size_t>(params_.closing_growth * static_cast<double>(num_closed_)));
+  if (track_.size() >= num_closed_ + growth) close_loops();
   return tracked;
 }
 
-void Mapper::measure_heading(const Scan& scan, const TrackedPose& tracked) {
+void Mapper::add_keyframe(const Scan& scan) {
+  const TrackedPose& tracked = scans_.back().tracked;
+  const bool is_first = track_.keyframes.empty();
+  track_.keyframes.push_back(tracker_.submap().back());
+  track_.motions.push_back(uncertainty_.take());
+  const std::size_t piece = is_first ? 0 : track_.pieces.back();
+  track_.pieces.push_back(piece + (tracked.is_restart && !is_first ? 1 : 0));
+
   HeadingEvidence evidence{.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
-                           .step_sigma_rad = 0.0,
+                           .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),
                            .proposals = {}};
-  if (!keyframes_.empty()) {
-    const TrackedRotationParams& rotation = params_.rotation;
-    const double turn_rad =
-        std::abs(wrap_to_pi(evidence.tracked_heading_rad -
-                            tracked_[keyframes_.back()].tracked.T_odom_sensor.theta_rad));
-    const double sigma_rad = rotation.step_sigma_rad + rotation.sigma_per_turn * turn_rad;
-    evidence.step_sigma_rad = std::sqrt(sigma_rad * sigma_rad + step_variance_rad2_);
-  }
   const SquareDirections directions =
       square_directions(points_from_scan(scan), scan.bearing_step_rad, params_.direction);
   const double confidence =
@@ -65,34 +114,79 @@ void Mapper::measure_heading(const Scan& scan, const TrackedPose& tracked) {
     evidence.proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
   }
   evidence_.push_back(std::move(evidence));
-  keyframes_.push_back(tracked_.size());
-  step_variance_rad2_ = 0.0;
 }
 
-MappedTrack Mapper::finish() const {
-  MappedTrack track;
-  track.keyframes = keyframes_;
-  track.headings = fuse_headings(evidence_, params_.heading);
-  std::vector<DriftAtScan> drifts;
-  for (std::size_t k = 0; k < keyframes_.size(); ++k) {
-    drifts.push_back({keyframes_[k], track.headings.drift_rad[k]});
+PoseGraph Mapper::graph_along(const FusedHeadings& headings) const {
+  PoseGraph graph = pose_graph_of(track_, headings.heading_rad);
+  for (const ComparedPlaces& places : closer_.compared()) {
+    if (is_accepted(places.verdict.reason)) graph.constraints.push_back(closure_constraint(places));
+  }
+  return graph;
+}
+
+void Mapper::close_loops() {
+  PoseGraph graph = graph_along(fuse_headings(evidence_, params_.heading));
+  const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
+  for (std::size_t k = 0; k < positions_m.size(); ++k) {
+    graph.T_map_node[k].x_m = positions_m[k].x();
+    graph.T_map_node[k].y_m = positions_m[k].y();
+  }
+  closer_.extend(track_, graph.T_map_node, params_.num_threads);
+  num_closed_ = track_.size();
+}
+
+MappedTrack Mapper::finish() {
+  if (track_.size() > num_closed_) close_loops();
+  const FusedHeadings headings = fuse_headings(evidence_, params_.heading);
+  PoseGraph graph = graph_along(headings);
+  graph.headings = heading_measurements(evidence_, headings, params_.heading);
+  if (track_.size() > 1) {
+    solve_robustly(graph, {}, params_.robust);
+    register_all(graph);
+  }
+  return assemble(headings, graph);
+}
+
+void Mapper::register_all(PoseGraph& graph) const {
+  std::vector<RevisitedPlace> revisits;
+  std::size_t next = track_.size() - 1;  // behind the tracked motions stand the closures
+  for (const ComparedPlaces& places : closer_.compared()) {
+    if (!is_accepted(places.verdict.reason)) continue;
+    const Constraint& closure = graph.constraints[next++];
+    if (places.verdict.axes != ClosureAxes::kXY || closure.weight < kMinRevisitWeight) continue;
+    revisits.push_back({places.from, places.to});
+  }
+  PoseGraph to_register = graph_to_register(graph, revisits);
+  register_keyframes(track_, revisits, to_register, params_.registration, params_.num_threads);
+  graph.T_map_node = std::move(to_register.T_map_node);
+}
+
+MappedTrack Mapper::assemble(const FusedHeadings& headings, const PoseGraph& graph) const {
+  MappedTrack mapped;
+  mapped.headings = headings;
+  std::vector<MappedKeyframe> keyframes;
+  for (std::size_t k = 0; k < track_.size(); ++k) {
+    keyframes.push_back({track_.keyframes[k]->scan_index, graph.T_map_node[k]});
+    mapped.keyframes.push_back(track_.keyframes[k]->scan_index);
   }
   std::vector<Pose2> T_odom_sensor;
-  T_odom_sensor.reserve(tracked_.size());
-  for (const Entry& entry : tracked_) T_odom_sensor.push_back(entry.tracked.T_odom_sensor);
-  const std::vector<Pose2> T_map_sensor = assemble_track(T_odom_sensor, drifts);
-
-  track.scans.reserve(tracked_.size());
-  for (std::size_t i = 0; i < tracked_.size(); ++i) {
-    const Entry& entry = tracked_[i];
-    track.scans.push_back({.stamp = entry.stamp,
-                           .status = entry.tracked.status,
-                           .T_map_sensor = T_map_sensor[i],
-                           .T_map_base = T_map_sensor[i] * entry.T_base_sensor.inverse(),
-                           .score = entry.tracked.score,
-                           .effective_points = entry.tracked.weak.effective_points});
+  T_odom_sensor.reserve(scans_.size());
+  for (const ScanEntry& entry : scans_) T_odom_sensor.push_back(entry.tracked.T_odom_sensor);
+  const std::vector<Pose2> T_map_sensor = assemble_track(T_odom_sensor, keyframes);
+  mapped.scans.reserve(scans_.size());
+  for (std::size_t i = 0; i < scans_.size(); ++i) {
+    const ScanEntry& entry = scans_[i];
+    mapped.scans.push_back({.stamp = entry.stamp,
+                            .status = entry.tracked.status,
+                            .T_map_sensor = T_map_sensor[i],
+                            .T_map_base = T_map_sensor[i] * entry.T_base_sensor.inverse(),
+                            .score = entry.tracked.score,
+                            .effective_points = entry.tracked.weak.effective_points,
+                            .has_odometry = entry.has_odometry});
   }
-  return track;
+  mapped.closures = mapped_closures(track_, closer_.compared(), graph);
+  mapped.graph = graph_of_base(track_, graph);
+  return mapped;
 }
 
 }  // namespace setsquare

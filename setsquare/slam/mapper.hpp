@@ -7,48 +7,53 @@
 #include <vector>
 
 #include "setsquare/graph/heading_fusion.hpp"
+#include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/matching/square_direction.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/slam/keyframe_track.hpp"
+#include "setsquare/slam/loop_closer.hpp"
 #include "setsquare/slam/mapped_track.hpp"
+#include "setsquare/slam/motion_uncertainty.hpp"
+#include "setsquare/slam/registration.hpp"
 #include "setsquare/slam/scan_tracker.hpp"
 
 namespace setsquare {
-
-/// How certain a tracked rotation between neighbouring keyframes is.
-struct TrackedRotationParams {
-  double step_sigma_rad = rad_from_deg(0.08);  ///< Of every step ...
-  double sigma_per_turn = 0.01;                ///< ... and this share of the turn.
-  double lost_sigma_rad = 0.05;                ///< Of each lost scan in between.
-  double recovered_sigma_rad = 0.2;            ///< Of each scan found again far off.
-  double restart_sigma_rad = 0.5;              ///< Of each new start of the submap.
-};
 
 /// Parameters of the mapper; every default works.
 struct MapperParams {
   ScanTrackerParams tracker;
   SquareDirectionParams direction;
-  TrackedRotationParams rotation;
+  MotionUncertaintyParams motion;
   HeadingFusionParams heading;
+  LoopCloserParams closing;
+  RobustPoseGraphParams robust;
+  RegistrationParams registration;
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;
+  /// Loops are looked for each time the track has grown by this share, and by so many keyframes.
+  double closing_growth = 0.1;
+  std::size_t min_closing_growth = 64;
+  std::size_t num_threads = 1;  ///< Any number gives the same map.
 
   /// Throws ParameterError that names the field.
   void validate() const;
 };
 
-/// Scans in, poses out: sequential, no loop closing.
+/// Scans in, map out.
 ///
 ///   Mapper mapper;
 ///   for (const Scan& scan : log) mapper.add(scan);
 ///   const MappedTrack track = mapper.finish();
 ///
-/// 1. Each scan is tracked against the submap of recent keyframes (ScanTracker).
-/// 2. Each keyframe's walls measure its heading in the building, modulo a quarter turn: its highest
-///    peak of direction is its one proposal, believed by its margin over the next; without a margin
-///    there is none.
-/// 3. At the end headings are fused (fuse_headings) and the tracked motion is laid out again along
-///    them (assemble_track). The map's axes are the building's.
-/// Memory grows with the number of scans by their poses only.
+/// 1. Track: each scan is placed against the submap of recent keyframes (ScanTracker).
+/// 2. Headings: each keyframe's walls measure its heading in the building, modulo a quarter turn;
+///    fused with the tracked rotations they do not drift (fuse_headings).
+/// 3. Loops: as the track grows, places near each other are compared, headings known (LoopCloser),
+///    and positions solved, a linear problem (solve_positions).
+/// 4. At the end: weights of the closures by graduated non-convexity (solve_robustly), all
+///    keyframes registered with their neighbours (register_keyframes), scans laid out between them
+///    (assemble_track).
+/// The map's axes are the building's. Memory grows with the keyframes.
 class Mapper {
  public:
   explicit Mapper(const MapperParams& params = {});
@@ -58,26 +63,34 @@ class Mapper {
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
   /// All poses so far; more scans may follow.
-  [[nodiscard]] MappedTrack finish() const;
+  [[nodiscard]] MappedTrack finish();
 
-  [[nodiscard]] std::size_t num_scans() const { return tracked_.size(); }
+  [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
  private:
   /// What is kept of each scan.
-  struct Entry {
+  struct ScanEntry {
     Timestamp stamp;
     TrackedPose tracked;
     Pose2 T_base_sensor;
+    bool has_odometry = false;
   };
 
-  void measure_heading(const Scan& scan, const TrackedPose& tracked);
+  void add_keyframe(const Scan& scan);
+  /// The track laid out along its headings, with the closures accepted so far.
+  [[nodiscard]] PoseGraph graph_along(const FusedHeadings& headings) const;
+  void close_loops();
+  void register_all(PoseGraph& graph) const;
+  [[nodiscard]] MappedTrack assemble(const FusedHeadings& headings, const PoseGraph& graph) const;
 
   MapperParams params_;
   ScanTracker tracker_;
-  std::vector<Entry> tracked_;
-  std::vector<std::size_t> keyframes_;
+  MotionUncertainty uncertainty_;
+  LoopCloser closer_;
+  std::vector<ScanEntry> scans_;
+  KeyframeTrack track_;
   std::vector<HeadingEvidence> evidence_;
-  double step_variance_rad2_ = 0.0;  ///< Of what was lost or found again since the last keyframe.
+  std::size_t num_closed_ = 0;  ///< Keyframes when loops were last looked for.
 };
 
 }  // namespace setsquare

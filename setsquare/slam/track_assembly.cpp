@@ -2,44 +2,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/track_assembly.hpp"
 
-#include <cmath>
-
 namespace setsquare {
 namespace {
 
-std::vector<double> drift_of_every_scan(std::size_t num_scans,
-                                        std::span<const DriftAtScan> drifts) {
-  std::vector<double> drift_rad(num_scans, drifts.empty() ? 0.0 : drifts.front().drift_rad);
-  for (std::size_t k = 0; k < drifts.size(); ++k) {
-    const bool is_last = k + 1 == drifts.size();
-    const DriftAtScan& from = drifts[k];
-    const DriftAtScan& to = is_last ? from : drifts[k + 1];
-    const std::size_t end = is_last ? num_scans : to.scan_index;
-    for (std::size_t i = from.scan_index; i < end; ++i) {
-      const double share =
-          static_cast<double>(i - from.scan_index) / static_cast<double>(end - from.scan_index);
-      drift_rad[i] = from.drift_rad + share * (to.drift_rad - from.drift_rad);
-    }
-  }
-  return drift_rad;
+/// The pose `share` of the way from a to b.
+Pose2 between(const Pose2& a, const Pose2& b, double share) {
+  return {a.x_m + share * (b.x_m - a.x_m),
+          a.y_m + share * (b.y_m - a.y_m),
+          wrap_to_pi(a.theta_rad + share * wrap_to_pi(b.theta_rad - a.theta_rad))};
 }
 
 }  // namespace
 
 std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
-                                  std::span<const DriftAtScan> drifts) {
-  const std::vector<double> drift_rad = drift_of_every_scan(T_odom_sensor.size(), drifts);
-  std::vector<Pose2> T_map_sensor(T_odom_sensor.size());
-  for (std::size_t i = 0; i < T_odom_sensor.size(); ++i) {
-    Pose2& pose = T_map_sensor[i];
-    pose.theta_rad = wrap_to_pi(T_odom_sensor[i].theta_rad + drift_rad[i]);
-    if (i == 0) continue;
-    const double turn_rad = 0.5 * (drift_rad[i - 1] + drift_rad[i]);
-    const Eigen::Vector2d step =
-        Pose2{0.0, 0.0, turn_rad} *
-        Eigen::Vector2d(T_odom_sensor[i].translation() - T_odom_sensor[i - 1].translation());
-    pose.x_m = T_map_sensor[i - 1].x_m + step.x();
-    pose.y_m = T_map_sensor[i - 1].y_m + step.y();
+                                  std::span<const MappedKeyframe> keyframes) {
+  std::vector<Pose2> T_map_sensor(T_odom_sensor.begin(), T_odom_sensor.end());
+  if (keyframes.empty()) return T_map_sensor;
+  const auto seen_from = [&](const MappedKeyframe& keyframe, std::size_t i) {
+    return keyframe.T_map_sensor *
+           (T_odom_sensor[keyframe.scan_index].inverse() * T_odom_sensor[i]);
+  };
+  for (std::size_t i = 0; i < keyframes.front().scan_index; ++i) {
+    T_map_sensor[i] = seen_from(keyframes.front(), i);
+  }
+  for (std::size_t k = 0; k < keyframes.size(); ++k) {
+    const MappedKeyframe& from = keyframes[k];
+    const bool is_last = k + 1 == keyframes.size();
+    const MappedKeyframe& to = is_last ? from : keyframes[k + 1];
+    const std::size_t end = is_last ? T_odom_sensor.size() : to.scan_index;
+    for (std::size_t i = from.scan_index; i < end; ++i) {
+      const double share =
+          static_cast<double>(i - from.scan_index) / static_cast<double>(end - from.scan_index);
+      T_map_sensor[i] = between(seen_from(from, i), seen_from(to, i), share);
+    }
   }
   return T_map_sensor;
 }

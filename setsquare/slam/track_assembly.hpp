@@ -10,17 +10,17 @@
 
 namespace setsquare {
 
-/// The drift of the tracked heading at one keyframe: true heading less tracked heading.
-struct DriftAtScan {
+/// A keyframe among the scans, with its pose in the map.
+struct MappedKeyframe {
   std::size_t scan_index = 0;
-  double drift_rad = 0.0;
+  Pose2 T_map_sensor;
 };
 
-/// Lays the tracked motion out again with corrected headings: the drift is interpolated between
-/// keyframes (constant before the first and after the last), each scan's heading is the tracked one
-/// plus its drift, and each tracked displacement is turned by the drift half-way. The first scan
-/// stands at the origin. `drifts` are in the order of the scans and may be empty.
+/// Poses of all scans from those of the keyframes: between two keyframes the tracked motion is laid
+/// out from both, and the pose slides from the one to the other with the scans; before the first
+/// and after the last it hangs on that one. `keyframes` are in the order of the scans; where there
+/// are none the tracked poses stay.
 [[nodiscard]] std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
-                                                std::span<const DriftAtScan> drifts);
+                                                std::span<const MappedKeyframe> keyframes);
 
 }  // namespace setsquare

@@ -4,7 +4,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -23,10 +22,17 @@ std::vector<Pose2> curve() {
   return poses;
 }
 
-TEST(TrackAssembly, WithoutDriftTheTrackStays) {
+std::vector<MappedKeyframe> keyframes_of(const std::vector<Pose2>& poses,
+                                         const std::vector<std::size_t>& scans) {
+  std::vector<MappedKeyframe> keyframes;
+  for (const std::size_t scan : scans) keyframes.push_back({scan, poses[scan]});
+  return keyframes;
+}
+
+TEST(TrackAssembly, KeyframesInTheirTrackedPlacesLeaveTheTrack) {
   const std::vector<Pose2> tracked = curve();
-  const std::vector<DriftAtScan> drifts{{0, 0.0}, {20, 0.0}, {50, 0.0}};
-  for (const auto& assembled : {assemble_track(tracked, {}), assemble_track(tracked, drifts)}) {
+  for (const auto& scans : {std::vector<std::size_t>{}, {30}, {0, 20, 59}, {7, 20, 50}}) {
+    const auto assembled = assemble_track(tracked, keyframes_of(tracked, scans));
     ASSERT_EQ(assembled.size(), tracked.size());
     for (std::size_t i = 0; i < tracked.size(); ++i) {
       EXPECT_THAT(assembled[i], PoseNear(tracked[i], PoseTolerance{}));
@@ -34,35 +40,39 @@ TEST(TrackAssembly, WithoutDriftTheTrackStays) {
   }
 }
 
-TEST(TrackAssembly, AConstantDriftTurnsTheWholeTrack) {
+TEST(TrackAssembly, ARigidMotionOfTheKeyframesMovesAllScans) {
   const std::vector<Pose2> tracked = curve();
-  const std::vector<DriftAtScan> drifts{{0, 0.7}, {30, 0.7}};
-  const std::vector<Pose2> assembled = assemble_track(tracked, drifts);
+  const Pose2 T_map_odom{3.0, -2.0, 0.7};
+  std::vector<MappedKeyframe> keyframes = keyframes_of(tracked, {5, 30, 50});
+  for (MappedKeyframe& keyframe : keyframes) {
+    keyframe.T_map_sensor = T_map_odom * keyframe.T_map_sensor;
+  }
+  const std::vector<Pose2> assembled = assemble_track(tracked, keyframes);
   for (std::size_t i = 0; i < tracked.size(); ++i) {
-    EXPECT_THAT(assembled[i], PoseNear(Pose2{0.0, 0.0, 0.7} * tracked[i], PoseTolerance{}));
+    EXPECT_THAT(assembled[i], PoseNear(T_map_odom * tracked[i], PoseTolerance{}));
   }
 }
 
-TEST(TrackAssembly, UndoesADriftThatGrows) {
-  // A straight way, tracked as an arc because the heading drifted by 0.01 rad a scan.
-  constexpr std::size_t kNumScans = 41;
-  std::vector<Pose2> tracked(kNumScans);
-  std::vector<DriftAtScan> drifts;
-  for (std::size_t i = 0; i < kNumScans; ++i) {
-    const double heading_rad = 0.01 * static_cast<double>(i);
-    tracked[i].theta_rad = heading_rad;
-    if (i > 0) {
-      const double chord_rad = heading_rad - 0.005;
-      tracked[i].x_m = tracked[i - 1].x_m + 0.1 * std::cos(chord_rad);
-      tracked[i].y_m = tracked[i - 1].y_m + 0.1 * std::sin(chord_rad);
-    }
-    if (i % 10 == 0) drifts.push_back({i, -heading_rad});
+TEST(TrackAssembly, PassesThroughEveryKeyframeAndSlidesInBetween) {
+  // A straight way, tracked too short by a fifth.
+  std::vector<Pose2> tracked(41);
+  std::vector<MappedKeyframe> keyframes;
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
+    tracked[i].x_m = 0.08 * static_cast<double>(i);
+    if (i % 10 == 0) keyframes.push_back({i, {0.1 * static_cast<double>(i), 0.0, 0.0}});
   }
-  const std::vector<Pose2> assembled = assemble_track(tracked, drifts);
-  for (std::size_t i = 0; i < kNumScans; ++i) {
+  const std::vector<Pose2> assembled = assemble_track(tracked, keyframes);
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
     EXPECT_THAT(assembled[i],
                 PoseNear(Pose2{0.1 * static_cast<double>(i), 0.0, 0.0}, PoseTolerance{}));
   }
+}
+
+TEST(TrackAssembly, HeadingsSlideTheShortWay) {
+  const std::vector<Pose2> tracked(11);
+  const std::vector<Pose2> assembled =
+      assemble_track(tracked, std::vector<MappedKeyframe>{{0, {0, 0, 3.1}}, {10, {0, 0, -3.1}}});
+  EXPECT_NEAR(std::abs(wrap_to_pi(assembled[5].theta_rad - kPi)), 0.0, 1e-9);
 }
 
 TEST(TrackAssembly, NothingInNothingOut) { EXPECT_TRUE(assemble_track({}, {}).empty()); }

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <functional>
 
-namespace setsquare::experiments {
+namespace setsquare {
 
 /// Told after each finished task: how many of how many are done. Never called by two threads at
 /// once. May be empty.
@@ -19,4 +19,4 @@ void run_in_parallel(std::size_t num_tasks,
                      const std::function<void(std::size_t)>& task,
                      const Progress& progress = {});
 
-}  // namespace setsquare::experiments
+}  // namespace setsquare

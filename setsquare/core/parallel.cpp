@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "experiments/parallel.hpp"
+#include "setsquare/core/parallel.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace setsquare::experiments {
+namespace setsquare {
 
 void run_in_parallel(std::size_t num_tasks,
                      std::size_t num_threads,
@@ -41,4 +41,4 @@ void run_in_parallel(std::size_t num_tasks,
   }
 }
 
-}  // namespace setsquare::experiments
+}  // namespace setsquare

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace setsquare {
+
+/// Parameters of ClosureCandidates.
+struct ClosureCandidateParams {
+  double radius_m = 4.0;           ///< Views farther apart hardly overlap.
+  double min_way_m = 10.0;         ///< Nearer along the track is tracking's business.
+  std::size_t max_num = 4;         ///< A station.
+  std::size_t min_separation = 4;  ///< Stations between two candidates of one station.
+  /// The window is so much ...
+  double window_m = 0.3;
+  double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
+  double max_window_m = 6.0;       ///< Of which correlation grids are capable.
+  double sigma_way = 20.0;         ///< A motion's sigma counts as so much way, in m per m.
+  double closure_way_m = 1.0;      ///< Length of a closure in the graph.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// A pair of places that may be the same.
+struct ClosureCandidate {
+  std::size_t reference = 0;  ///< Station.
+  std::size_t current = 0;    ///< Station, later than the reference.
+  double window_m = 0.0;      ///< How far off the expected position may be, along each axis.
+};
+
+/// Proposes where loops may close, by position and by how uncertain it is: the window about an
+/// expected position grows with the way back to there, along the track and over the closures that
+/// were accepted. What a station costs depends on what is around it, not on the size of the map.
+class ClosureCandidates {
+ public:
+  explicit ClosureCandidates(const ClosureCandidateParams& params) : params_(params) {}
+
+  /// The next station along the track; `way_m` from the one before: its length and sigma_way times
+  /// its sigma.
+  void add_station(double way_m);
+
+  /// A closure that binds both axes was accepted between two stations.
+  void link(std::size_t a, std::size_t b);
+
+  /// Candidates for each of the stations [first, end), nearest first. `positions_m`: of all
+  /// stations, in the map frame.
+  [[nodiscard]] std::vector<ClosureCandidate> find(
+      std::size_t first, std::span<const Eigen::Vector2d> positions_m) const;
+
+  [[nodiscard]] std::size_t num_stations() const { return links_.size(); }
+
+ private:
+  struct Link {
+    std::size_t station;
+    double way_m;
+  };
+  class ShortestWays;
+
+  ClosureCandidateParams params_;
+  std::vector<std::vector<Link>> links_;
+  std::vector<double> way_from_start_m_;
+};
+
+}  // namespace setsquare

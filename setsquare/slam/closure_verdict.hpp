@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <string_view>
+
+#include "setsquare/core/loop_closure.hpp"
+#include "setsquare/slam/submap_matcher.hpp"
+
+namespace setsquare {
+
+/// What decides whether two submaps that were matched close a loop.
+struct ClosureVerdictParams {
+  double min_score = 0.35;
+  double max_contradiction = 0.10;
+  double min_margin = 0.10;            ///< Of the score, over the runner-up's.
+  double min_effective_points = 10.0;  ///< Along the weak direction; below, it is left open.
+  double max_weak_share = 0.2;         ///< Of a direction that is left open, in all points.
+  double max_runner_up_rad = 0.3;      ///< A runner-up along the open direction does no harm.
+  double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+enum class ClosureReason {
+  kStandsAlone,  ///< Accepted.
+  kOneAxis,      ///< Accepted across a corridor, open along it.
+  kNoPose,       ///< No pose within the window.
+  kLowScore,
+  kContradicted,
+  kAmbiguous,      ///< Another place explains the submaps almost as well.
+  kOpenDirection,  ///< Too few points bind a direction that is none of the map's axes.
+};
+
+/// In lower-case words, for `closures.tsv`.
+[[nodiscard]] std::string_view to_string(ClosureReason reason);
+
+[[nodiscard]] inline bool is_accepted(ClosureReason reason) {
+  return reason == ClosureReason::kStandsAlone || reason == ClosureReason::kOneAxis;
+}
+
+struct ClosureVerdict {
+  ClosureReason reason = ClosureReason::kNoPose;
+  ClosureAxes axes = ClosureAxes::kXY;  ///< Of the map frame.
+};
+
+/// `reference_heading_rad`: of the reference in the map frame.
+[[nodiscard]] ClosureVerdict closure_verdict(const SubmapMatch& match,
+                                             double reference_heading_rad,
+                                             const ClosureVerdictParams& params = {});
+
+}  // namespace setsquare

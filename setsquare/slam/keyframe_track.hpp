@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/slam/keyframe.hpp"
+#include "setsquare/slam/motion_uncertainty.hpp"
+
+namespace setsquare {
+
+/// The keyframes of a log in their order, and what tracking says of the motion between them.
+struct KeyframeTrack {
+  std::vector<KeyframePtr> keyframes;
+  std::vector<MotionCovariance> motions;  ///< From the keyframe before; the first's is unused.
+  /// Piece of track, from 0: a new one begins where tracking was lost for so long that the motion
+  /// in between means nothing.
+  std::vector<std::size_t> pieces;
+
+  [[nodiscard]] std::size_t size() const { return keyframes.size(); }
+};
+
+/// The track as a pose graph with odometry constraints only. The tracked motion is laid out along
+/// the headings: each displacement is turned by the drift half-way (heading less tracked heading).
+/// Poses are those of the sensors; the first stands at the origin.
+/// `headings_rad`: one a keyframe, in the map frame.
+[[nodiscard]] PoseGraph pose_graph_of(const KeyframeTrack& track,
+                                      std::span<const double> headings_rad);
+
+}  // namespace setsquare

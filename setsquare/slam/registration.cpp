@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <optional>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/parallel.hpp"
+#include "setsquare/graph/gauss_newton_pose_graph.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
+constexpr double kDamping = 1e-2;
+constexpr double kMinCompared = 20.0;
+/// Keyframes to either side of a revisited place that are compared, too.
+constexpr std::ptrdiff_t kReach = 2;
+/// A turn counts as so much distance: who looks the same way sees the same walls.
+constexpr double kMetresPerRadian = 1.0;
+
+/// Earlier keyframes that saw the same place, a list a keyframe.
+std::vector<std::vector<std::size_t>> revisited_keyframes(const KeyframeTrack& track,
+                                                          std::span<const RevisitedPlace> revisits,
+                                                          const PoseGraph& graph,
+                                                          std::size_t max_num) {
+  const auto n = static_cast<std::ptrdiff_t>(track.size());
+  std::vector<std::vector<std::size_t>> earlier(track.size());
+  for (const RevisitedPlace& place : revisits) {
+    for (std::ptrdiff_t a = -kReach; a <= kReach; ++a) {
+      const auto from = static_cast<std::ptrdiff_t>(place.from) + a;
+      for (std::ptrdiff_t b = -kReach; b <= kReach; ++b) {
+        const auto to = static_cast<std::ptrdiff_t>(place.to) + b;
+        if (from < 0 || to >= n || from >= to) continue;
+        earlier[static_cast<std::size_t>(to)].push_back(static_cast<std::size_t>(from));
+      }
+    }
+  }
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    std::vector<std::size_t>& list = earlier[k];
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    const auto distance = [&](std::size_t other) {
+      const Pose2 off = graph.T_map_node[k].inverse() * graph.T_map_node[other];
+      return std::hypot(off.x_m, off.y_m) + kMetresPerRadian * std::abs(off.theta_rad);
+    };
+    std::stable_sort(list.begin(), list.end(), [&](std::size_t a, std::size_t b) {
+      return distance(a) < distance(b);
+    });
+    if (list.size() > max_num) list.resize(max_num);
+  }
+  return earlier;
+}
+
+/// One Gauss-Newton step of `current` in the image of `reference`, as a constraint.
+std::optional<Constraint> compare(const KeyframeTrack& track,
+                                  std::size_t reference,
+                                  std::size_t current,
+                                  const SurfaceSamples& points,
+                                  const PoseGraph& graph,
+                                  const RegistrationParams& params,
+                                  PointMarks& marks) {
+  const PlacedImage placed{&track.keyframes[reference]->image, {}};
+  const Pose2 T = graph.T_map_node[reference].inverse() * graph.T_map_node[current];
+  const SubmapAlignment found = align_with_submap({&placed, 1}, points, T, params.scale, marks);
+  if (found.num_compared < kMinCompared ||
+      found.num_explained < params.min_explained * static_cast<double>(points.size()) ||
+      found.num_contradicted > params.max_contradicted * found.num_compared) {
+    return std::nullopt;
+  }
+  const Eigen::Matrix3d damped = found.hessian + kDamping * Eigen::Matrix3d::Identity();
+  const Eigen::Vector3d step = damped.ldlt().solve(-found.gradient);
+  Constraint constraint;
+  constraint.from = reference;
+  constraint.to = current;
+  constraint.T_from_to = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
+  constraint.information = found.hessian / (params.point_sigma_m * params.point_sigma_m);
+  constraint.kind = ConstraintKind::kOdometry;
+  return constraint;
+}
+
+}  // namespace
+
+void RegistrationParams::validate() const {
+  if (num_rounds < 0) throw ParameterError("num_rounds", "must not be negative");
+  if (!(point_sigma_m > 0.0)) throw ParameterError("point_sigma_m", "must be positive");
+}
+
+void register_keyframes(const KeyframeTrack& track,
+                        std::span<const RevisitedPlace> revisits,
+                        PoseGraph& graph,
+                        const RegistrationParams& params,
+                        std::size_t num_threads) {
+  for (int round = 0; round < params.num_rounds; ++round) {
+    const auto earlier = revisited_keyframes(track, revisits, graph, params.max_revisits);
+    std::vector<std::vector<Constraint>> compared(track.size());
+    run_in_parallel(track.size(), num_threads, [&](std::size_t k) {
+      const SurfacePoints& points = track.keyframes[k]->points;
+      const SurfaceSamples samples = sample_surface(points, points.size());
+      PointMarks marks;
+      const auto add = [&](std::size_t reference) {
+        auto constraint = compare(track, reference, k, samples, graph, params, marks);
+        if (constraint) compared[k].push_back(*std::move(constraint));
+      };
+      for (std::size_t before = 1; before <= std::min(k, params.num_before); ++before) {
+        if (track.pieces[k - before] == track.pieces[k]) add(k - before);
+      }
+      for (const std::size_t reference : earlier[k]) add(reference);
+    });
+
+    PoseGraph all = graph;
+    for (const auto& list : compared) {
+      all.constraints.insert(all.constraints.end(), list.begin(), list.end());
+    }
+    polish(all, {.max_iterations = 2});
+    graph.T_map_node = std::move(all.T_map_node);
+  }
+}
+
+}  // namespace setsquare

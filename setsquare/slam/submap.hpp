@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "setsquare/matching/correlation_grid.hpp"
+#include "setsquare/matching/surface_samples.hpp"
+#include "setsquare/slam/keyframe.hpp"
+
+namespace setsquare {
+
+/// Neighbouring keyframes as one wide view, in the frame of the sensor of the one in the middle.
+/// It looks into keyframes that must outlive it.
+struct Submap {
+  std::size_t keyframe = 0;  ///< The one in the middle, among all keyframes.
+  std::vector<const Keyframe*> members;
+  std::size_t middle_member = 0;    ///< `keyframe` among the members.
+  std::vector<PlacedImage> images;  ///< Of the members.
+  SurfaceSamples coarse;            ///< A few dozen, rare directions favoured: proposals.
+  SurfaceSamples fine;              ///< A few hundred, likewise: the verdict.
+};
+
+/// Keyframes [first, end) as a submap about the one at `middle`, placed by `T_map_sensor` (one a
+/// keyframe). first <= middle < end.
+[[nodiscard]] Submap make_submap(std::span<const KeyframePtr> keyframes,
+                                 std::span<const Pose2> T_map_sensor,
+                                 std::size_t first,
+                                 std::size_t middle,
+                                 std::size_t end);
+
+/// The surfaces of the whole submap, and the free space that its middle keyframe saw.
+[[nodiscard]] CorrelationGrid correlation_grid(const Submap& submap);
+
+}  // namespace setsquare

@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/submap_matcher.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
+constexpr double kDamping = 1e-3;
+constexpr double kMaxStep_m = 0.3;
+constexpr double kConverged = 1e-3;
+/// Proposals come in cells, and a refined pose may leave the window by a little.
+constexpr double kWindowMargin_m = 0.25;
+
+/// d (x, y, theta) of T^-1 / d (x, y, theta) of T.
+Eigen::Matrix3d inverse_derivative(const Pose2& T) {
+  const double c = std::cos(T.theta_rad);
+  const double s = std::sin(T.theta_rad);
+  Eigen::Matrix3d J;
+  J << -c, -s, s * T.x_m - c * T.y_m,  //
+      s, -c, c * T.x_m + s * T.y_m,    //
+      0.0, 0.0, -1.0;
+  return J;
+}
+
+/// Compares two submaps and moves one until they agree.
+class Comparison {
+ public:
+  Comparison(const Submap& reference,
+             const Submap& current,
+             const ExpectedPose& expected,
+             const SubmapMatchParams& params)
+      : reference_(reference), current_(current), expected_(expected), params_(params) {}
+
+  [[nodiscard]] SubmapFitBothWays refine(const Pose2& start,
+                                         const AlignmentScale& scale,
+                                         int num_steps) {
+    Pose2 T = start;
+    for (int step = 0; step < num_steps; ++step) {
+      const Eigen::Vector3d move = step_from(compare(T, scale));
+      T = {T.x_m + move.x(), T.y_m + move.y(), wrap_to_pi(T.theta_rad + move.z())};
+      if (move.norm() < kConverged) break;
+    }
+    return compare(T, scale);
+  }
+
+  [[nodiscard]] bool is_in_window(const Pose2& T) const {
+    const Eigen::Vector2d off = T.translation() - expected_.T_reference_current.translation();
+    return off.cwiseAbs().maxCoeff() <= expected_.window_m + kWindowMargin_m;
+  }
+
+ private:
+  [[nodiscard]] SubmapFitBothWays compare(const Pose2& T, const AlignmentScale& scale) {
+    const SubmapAlignment forward =
+        align_with_submap(reference_.images, current_.fine, T, scale, marks_);
+    const SubmapAlignment backward =
+        align_with_submap(current_.images, reference_.fine, T.inverse(), scale, marks_);
+    const Eigen::Matrix3d J = inverse_derivative(T);
+    SubmapFitBothWays fit;
+    fit.T_reference_current = T;
+    fit.hessian = forward.hessian + J.transpose() * backward.hessian * J;
+    fit.gradient = forward.gradient + J.transpose() * backward.gradient;
+    const double compared = forward.num_compared + backward.num_compared;
+    const double explained = forward.num_explained + backward.num_explained;
+    const double contradicted = forward.num_contradicted + backward.num_contradicted;
+    const auto total = static_cast<double>(current_.fine.size() + reference_.fine.size());
+    fit.score = (explained - params_.contradiction_weight * contradicted) /
+                std::max({1.0, compared, params_.min_compared * total});
+    fit.contradiction = contradicted / std::max(1.0, explained + contradicted);
+    return fit;
+  }
+
+  /// The Gauss-Newton step, the rotation held near the expected one.
+  [[nodiscard]] Eigen::Vector3d step_from(const SubmapFitBothWays& fit) const {
+    Eigen::Matrix3d hessian = fit.hessian + kDamping * Eigen::Matrix3d::Identity();
+    Eigen::Vector3d gradient = fit.gradient;
+    hessian(2, 2) += params_.heading_weight;
+    gradient(2) += params_.heading_weight * wrap_to_pi(fit.T_reference_current.theta_rad -
+                                                       expected_.T_reference_current.theta_rad);
+    Eigen::Vector3d step = hessian.ldlt().solve(-gradient);
+    const double length_m = step.head<2>().norm();
+    if (length_m > kMaxStep_m) step.head<2>() *= kMaxStep_m / length_m;
+    return step;
+  }
+
+  const Submap& reference_;
+  const Submap& current_;
+  const ExpectedPose& expected_;
+  const SubmapMatchParams& params_;
+  PointMarks marks_;
+};
+
+std::vector<Pose2> propose(const Submap& reference,
+                           const Submap& current,
+                           const ExpectedPose& expected,
+                           const Comparison& comparison,
+                           const SubmapMatchParams& params) {
+  std::vector<TranslationProposal> proposals;
+  correlation_grid(reference).propose_translations(
+      current.coarse, expected.T_reference_current.theta_rad, params.min_correlation, proposals);
+  std::erase_if(proposals, [&](const TranslationProposal& proposal) {
+    return !comparison.is_in_window(proposal.T_reference_current);
+  });
+  std::stable_sort(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
+    return a.correlation > b.correlation;
+  });
+  if (proposals.size() > params.max_num_proposals) proposals.resize(params.max_num_proposals);
+  std::vector<Pose2> starts = {expected.T_reference_current};
+  for (const TranslationProposal& proposal : proposals) {
+    starts.push_back(proposal.T_reference_current);
+  }
+  return starts;
+}
+
+double distance_m(const SubmapFitBothWays& a, const SubmapFitBothWays& b) {
+  return (a.T_reference_current.translation() - b.T_reference_current.translation()).norm();
+}
+
+}  // namespace
+
+void SubmapMatchParams::validate() const {
+  if (max_num_proposals < 1) throw ParameterError("max_num_proposals", "must be at least 1");
+  if (!(heading_weight >= 0.0)) throw ParameterError("heading_weight", "must not be negative");
+  if (!(min_compared > 0.0)) throw ParameterError("min_compared", "must be positive");
+  if (!(distinct_m > 0.0)) throw ParameterError("distinct_m", "must be positive");
+}
+
+std::optional<SubmapMatch> match_submaps(const Submap& reference,
+                                         const Submap& current,
+                                         const ExpectedPose& expected,
+                                         const SubmapMatchParams& params) {
+  Comparison comparison(reference, current, expected, params);
+  std::vector<SubmapFitBothWays> fits;
+  for (const Pose2& start : propose(reference, current, expected, comparison, params)) {
+    const auto fit = comparison.refine(start, params.catching, params.num_catching_steps);
+    if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
+  }
+  if (fits.empty()) return std::nullopt;
+  std::stable_sort(
+      fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+
+  SubmapMatch match;
+  match.best = comparison.refine(
+      fits.front().T_reference_current, params.settling, params.num_settling_steps);
+  match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
+  for (const SubmapFitBothWays& fit : fits) {
+    if (distance_m(fit, match.best) < params.distinct_m) continue;
+    match.runner_up = fit;
+    break;
+  }
+  return match;
+}
+
+}  // namespace setsquare
