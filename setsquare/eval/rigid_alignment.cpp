@@ -31,8 +31,8 @@ Pose2 best_rigid_alignment(std::span<const PosePair> pairs) {
     mean_map += pair.T_map_base.translation() / num_pairs;
     mean_truth += pair.T_truth_base.translation() / num_pairs;
   }
-  // In the plane the rotation of Umeyama 1991, eqs. (39)-(42), is the angle of the complex
-  // correlation of the two sets of positions about their means.
+  // In the plane the rotation of Umeyama 1991 is the angle of the complex correlation of the two
+  // sets of positions about their means.
   double along = 0.0;
   double across = 0.0;
   for (const PosePair& pair : pairs) {
