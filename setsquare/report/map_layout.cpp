@@ -54,7 +54,7 @@ CellBox box_to_show(const OccupancyGrid& grid,
 }
 
 std::vector<Eigen::Vector2d> path_in_cells(const OccupancyGrid& grid,
-                                           const Trajectory& T_map_base) {
+                                           std::span<const StampedPose> T_map_base) {
   const Pose2 T_grid_map = grid.T_map_grid().inverse();
   std::vector<Eigen::Vector2d> path;
   path.reserve(T_map_base.size());

@@ -40,6 +40,6 @@ struct MapLayout {
 
 /// The poses' places in cells from the grid's lower left corner.
 [[nodiscard]] std::vector<Eigen::Vector2d> path_in_cells(const OccupancyGrid& grid,
-                                                         const Trajectory& T_map_base);
+                                                         std::span<const StampedPose> T_map_base);
 
 }  // namespace setsquare

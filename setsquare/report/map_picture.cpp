@@ -7,10 +7,12 @@
 #include <cassert>
 #include <cmath>
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/drawing/paint.hpp"
+#include "setsquare/report/map_closures.hpp"
 #include "setsquare/report/map_footer.hpp"
 #include "setsquare/report/map_layout.hpp"
 #include "setsquare/report/palette.hpp"
@@ -64,8 +66,11 @@ void draw_mark(Image& image, const PixelPoint& centre, double radius_px, Color v
   fill_disc(image, centre, radius_px, value);
 }
 
-std::vector<LegendEntry> legend_entries(std::size_t num_poses, Conditions conditions) {
+std::vector<LegendEntry> legend_entries(const MapPictureLayers& layers,
+                                        const PlacedClosures& closures) {
   std::vector<LegendEntry> entries;
+  const std::size_t num_poses = layers.T_map_base.size();
+  const Conditions conditions = layers.conditions;
   if (num_poses == 0) return entries;
   entries.push_back({"start", palette::kStart, kStartRadius});
   entries.push_back({"end", palette::kEnd, kEndRadius});
@@ -76,6 +81,7 @@ std::vector<LegendEntry> legend_entries(std::size_t num_poses, Conditions condit
     }
     if (is_present) entries.push_back({style.words, style.value});
   }
+  for (LegendEntry& entry : legend_entries(closures)) entries.push_back(std::move(entry));
   return entries;
 }
 
@@ -89,18 +95,18 @@ void MapPictureParams::validate() const {
   }
 }
 
-Image map_picture(const OccupancyGrid& grid,
-                  const Trajectory& T_map_base,
-                  std::span<const TrackCondition> conditions,
-                  const MapPictureParams& params) {
+Image layered_map_picture(const OccupancyGrid& grid,
+                          const MapPictureLayers& layers,
+                          const MapPictureParams& params) {
   params.validate();
-  assert(conditions.empty() || conditions.size() == T_map_base.size());
-  const std::vector<Eigen::Vector2d> path = path_in_cells(grid, T_map_base);
+  assert(layers.conditions.empty() || layers.conditions.size() == layers.T_map_base.size());
+  const std::vector<Eigen::Vector2d> path = path_in_cells(grid, layers.T_map_base);
+  const PlacedClosures closures = placed_closures(layers.closures, layers.T_map_base, path);
   MapLayout layout =
       map_layout(box_to_show(grid, path, params.margin_m), params.min_side_px, params.max_side_px);
   const double letter_px = layout.letter_px;
   std::vector<LegendEntry> entries;
-  if (params.has_legend) entries = legend_entries(path.size(), conditions);
+  if (params.has_legend) entries = legend_entries(layers, closures);
   constexpr double kMaxBarLetters = 20.0;
   const double bar_width_px = params.has_scale_bar ? (kMaxBarLetters + 6.0) * letter_px : 0.0;
   const double footer_width_px = bar_width_px + legend_width_px(entries, letter_px);
@@ -110,7 +116,8 @@ Image map_picture(const OccupancyGrid& grid,
   fill_rectangle(
       image, {0, 0}, PixelPoint(layout.width_px, layout.map_height_px), palette::kUnknown);
   draw_cells(image, layout.left_px, 0, grid, layout.box, layout.scale);
-  draw_path(image, layout, path, conditions);
+  draw_closures(image, layout, closures);
+  draw_path(image, layout, path, layers.conditions);
   if (!path.empty()) {
     draw_mark(image, layout.pixel_of(path.front()), kStartRadius * letter_px, palette::kStart);
     draw_mark(image, layout.pixel_of(path.back()), kEndRadius * letter_px, palette::kEnd);
@@ -123,6 +130,14 @@ Image map_picture(const OccupancyGrid& grid,
   }
   draw_legend(image, {layout.width_px - 2.0 * letter_px, footer_px}, entries, letter_px);
   return image;
+}
+
+Image map_picture(const OccupancyGrid& grid,
+                  const Trajectory& T_map_base,
+                  std::span<const TrackCondition> conditions,
+                  const MapPictureParams& params) {
+  return layered_map_picture(
+      grid, {.T_map_base = T_map_base, .conditions = conditions, .closures = {}}, params);
 }
 
 }  // namespace setsquare

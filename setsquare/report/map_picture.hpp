@@ -4,6 +4,7 @@
 
 #include <span>
 
+#include "setsquare/core/loop_closure.hpp"
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/drawing/image.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
@@ -28,10 +29,22 @@ struct MapPictureParams {
   void validate() const;
 };
 
-/// A map for people: walls, free space, the robot's path with its start and end, a scale bar. The
-/// picture's rows are the grid's rows, so a grid along the walls gives upright walls.
-/// `T_map_base`: the robot's poses in the map frame, joined in their order; may be empty.
-/// `conditions`: one a pose, or empty where every pose is tracked.
+/// What is drawn upon the map's cells; all of it may be empty.
+struct MapPictureLayers {
+  std::span<const StampedPose> T_map_base;     ///< The robot's poses, joined in their order.
+  std::span<const TrackCondition> conditions;  ///< One a pose; empty where every pose is tracked.
+  std::span<const LoopClosure> closures;       ///< Of poses with those stamps.
+};
+
+/// A map for people: walls, free space, loop closures, the robot's path with its start and end, a
+/// scale bar. The picture's rows are the grid's rows, so a grid along the walls gives upright
+/// walls. Accepted closures join their poses, the paler the less they weigh in the final graph;
+/// refused ones, and those whose stamps no pose has, are left out. The legend names what is there.
+[[nodiscard]] Image layered_map_picture(const OccupancyGrid& grid,
+                                        const MapPictureLayers& layers,
+                                        const MapPictureParams& params = {});
+
+/// The same without closures.
 [[nodiscard]] Image map_picture(const OccupancyGrid& grid,
                                 const Trajectory& T_map_base,
                                 std::span<const TrackCondition> conditions = {},

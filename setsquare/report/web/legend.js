@@ -39,7 +39,7 @@ class MapLegend {
     const filters = element("div", "filters", element("span", "", term("Closures", "loop closure"), " shown:"));
     filters.setAttribute("role", "group");
     filters.setAttribute("aria-label", "Closures shown");
-    legend.append(filters);
+    if (report.closures.count > 0) legend.append(filters);
     for (const kind of kKinds) filters.append(this.filter(kind, report.closures.sums[kind]));
     const update = () => this.update();
     kDark.addEventListener("change", update);

@@ -87,8 +87,9 @@ class OverlayPanel {
   drawSurfaces(context, { color, u, v, range }) {
     context.strokeStyle = themeColor(color);
     context.lineJoin = context.lineCap = "round";
-    context.lineWidth = 3;
-    context.globalAlpha = 0.4;
+    // The first scan's are wide, the second's narrow: both show where they coincide.
+    context.lineWidth = color === "reference" ? 7 : 2;
+    context.globalAlpha = color === "reference" ? 0.45 : 0.8;
     context.beginPath();
     for (let p = 1; p < u.length; ++p) {
       if (Math.hypot(u[p] - u[p - 1], v[p] - v[p - 1]) > surfaceGap(Math.min(range[p], range[p - 1]))) continue;
@@ -100,7 +101,7 @@ class OverlayPanel {
   }
 
   drawPoints(context, { color, u, v }) {
-    const radius = Math.min(2.6, Math.max(1.4, 0.02 * this.view.scale));
+    const radius = Math.min(2.6, Math.max(1.4, 0.02 * this.view.scale)) + (color === "reference" ? 0.9 : 0);
     context.fillStyle = themeColor(color);
     context.beginPath();
     for (let p = 0; p < u.length; ++p) {
