@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// What the page's bytes promise; tests/browser looks at what they draw.
+#include "setsquare/report/map_report.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "setsquare/report/map_report_data.hpp"
+#include "setsquare/report/map_report_image.hpp"
+
+namespace setsquare {
+namespace {
+
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::size_t count_of(const std::string& text, const std::string& piece) {
+  std::size_t count = 0;
+  for (std::size_t i = text.find(piece); i != std::string::npos; i = text.find(piece, i + 1)) {
+    ++count;
+  }
+  return count;
+}
+
+/// A drive along x with a scan of `num_points` every metre; closures between the first and others.
+MapReport drive(int num_poses, int num_closures, int num_points) {
+  MapReport report;
+  report.title = "A drive";
+  for (int i = 0; i < num_poses; ++i) {
+    const Timestamp stamp = timestamp_from_seconds(976052857.0 + 0.2 * i);
+    report.poses.push_back({stamp, {0.04 * i, 0.3 * std::sin(0.1 * i), 0.1}});
+    report.poses.back().sigma_m = 0.02;
+    if (i % 25 != 0) continue;
+    report.scans.push_back({stamp, report.poses.back().T_map_base, {}});
+    for (int p = 0; p < num_points; ++p) {
+      const double bearing_rad = kPi * (p - 0.5 * num_points) / num_points;
+      report.scans.back().points.push_back(2.0 / std::cos(0.9 * bearing_rad), bearing_rad, p);
+    }
+  }
+  for (int i = 0; i < num_closures; ++i) {
+    ReportClosure row;
+    row.scan_j = 1 + static_cast<std::size_t>(i) % (report.scans.size() - 1);
+    row.closure.reason = "verified";
+    report.closures.push_back(row);
+  }
+  return report;
+}
+
+TEST(MapReport, IsTheSameBytesEveryTime) {
+  const OccupancyGrid grid({}, 0.05, 10, 10);
+  MapReport report = drive(100, 3, 20);
+  report.grid = &grid;
+  EXPECT_EQ(map_report_html(report), map_report_html(report));
+}
+
+TEST(MapReport, NeedsNoOtherFile) {
+  const std::string html = map_report_html(drive(100, 3, 20));
+  EXPECT_THAT(html, HasSubstr("default-src 'none'"));
+  for (const char* piece : {"src=\"",
+                            "@import",
+                            "url(",
+                            "fetch(",
+                            "XMLHttpRequest",
+                            "http://",
+                            "https://",
+                            "<link rel=\"stylesheet\""}) {
+    EXPECT_THAT(html, Not(HasSubstr(piece)));
+  }
+  for (const char* mark : {"@TITLE@", "@STYLE@", "@HEADLINE@", "@DATA@", "@SCRIPT@"}) {
+    EXPECT_THAT(html, Not(HasSubstr(mark)));
+  }
+}
+
+TEST(MapReport, TextCannotLeaveItsPlace) {
+  MapReport report = drive(50, 1, 5);
+  const std::string hostile = "</script><script>alert(1)</script><!-- @SCRIPT@ \" ' & \xff";
+  const std::string harmless = map_report_html(report);
+  report.title = hostile;
+  report.closures.front().closure.reason = hostile;
+  report.figures = {{hostile, hostile, hostile, hostile, hostile}};
+  const std::string html = map_report_html(report);
+  EXPECT_EQ(count_of(html, "<script"), count_of(harmless, "<script"));
+  EXPECT_EQ(count_of(html, "</script"), count_of(harmless, "</script"));
+  EXPECT_EQ(count_of(html, "<!--"), count_of(harmless, "<!--"));
+  EXPECT_EQ(count_of(html, "unpackReport("), count_of(harmless, "unpackReport("));
+  EXPECT_THAT(map_report_json(report), Not(HasSubstr("<")));
+  EXPECT_THAT(html, Not(HasSubstr("\xff")));
+}
+
+TEST(MapReport, StandsNumbersThatAreNone) {
+  MapReport report = drive(50, 1, 5);
+  const double nan = std::nan("");
+  report.poses[3].T_map_base = {nan, std::numeric_limits<double>::infinity(), nan};
+  report.poses[4].sigma_m = nan;
+  report.closures.front().closure.weight = nan;
+  report.headings.push_back({report.poses[0].stamp, nan, 0, nan, nan, nan});
+  report.frame_headings_rad = {nan};
+  const std::string json = map_report_json(report);
+  EXPECT_EQ(count_of(json, "null"), 1U);  // The grid, which is not there.
+  EXPECT_THAT(json, HasSubstr("\"frames\":[0.0]"));
+}
+
+TEST(MapReport, HoldsOnlyTheScansThatClosuresShowAndEachOnce) {
+  const std::size_t none = map_report_json(drive(2500, 0, 180)).size();
+  const std::size_t one = map_report_json(drive(2500, 1, 180)).size();
+  const std::size_t many_of_all = map_report_json(drive(2500, 990, 180)).size();
+  const std::size_t scan = one - none;
+  EXPECT_GT(scan, 2U * 180);                 // Two scans of 180 points.
+  EXPECT_LT(many_of_all - none, 60 * scan);  // 100 scans, ten closures each.
+}
+
+TEST(MapReport, IsSmallForAnHourOfDriving) {
+  // 15,000 poses, 5,000 closures, 600 scans of 180 points: 54 bytes a pose and closure in doubles
+  // alone would be 1.1 MB, the points 1.7 MB.
+  EXPECT_LT(map_report_html(drive(15000, 5000, 180)).size(), 850'000U);
+}
+
+TEST(MapReportImage, TellsOccupiedUnknownAndFree) {
+  OccupancyGrid grid({1.0, 2.0, 0.3}, 0.5, 6, 5);
+  grid.values()[grid.index({2, 1})] = 3.0F;
+  grid.values()[grid.index({4, 3})] = -3.0F;
+  const auto map = map_report_image(grid);
+  ASSERT_TRUE(map);
+  ASSERT_EQ(map->image.width_px(), 3);
+  ASSERT_EQ(map->image.height_px(), 3);
+  EXPECT_EQ(map->image.at(0, 2).red, 0);
+  EXPECT_EQ(map->image.at(2, 0).red, 255);
+  EXPECT_EQ(map->image.at(1, 1).red, 128);
+  EXPECT_EQ(map->pixel_m, 0.5);
+  EXPECT_EQ(map->left_m, 1.0);
+  EXPECT_EQ(map->bottom_m, 0.5);
+}
+
+TEST(MapReportImage, JoinsCellsWhereThereAreTooMany) {
+  OccupancyGrid grid({}, 0.1, 101, 40);
+  for (float& value : grid.values()) value = -1.0F;
+  grid.values()[grid.index({55, 20})] = 2.0F;
+  const auto map = map_report_image(grid, 50);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->image.width_px(), 34);
+  EXPECT_NEAR(map->pixel_m, 0.3, 1e-12);
+  // Cell (55, 20) lies in the block of rows 18 to 20, the seventh of 14 from below.
+  EXPECT_EQ(map->image.at(18, 14 - 1 - 6).red, 0);
+}
+
+TEST(MapReportImage, IsNothingWhereNothingIsKnown) {
+  EXPECT_FALSE(map_report_image(OccupancyGrid({}, 0.1, 5, 5)));
+}
+
+}  // namespace
+}  // namespace setsquare
