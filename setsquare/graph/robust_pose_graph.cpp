@@ -76,7 +76,7 @@ double threshold_of_one_axis(double two_axes) {
   return high;
 }
 
-/// yang2020, eq. (14), of a squared error as a share of the threshold.
+/// The weight of GNC-TLS (yang2020) by a squared error as a share of the threshold.
 double tls_weight(double squared_error, double mu) {
   if (squared_error <= mu / (mu + 1.0)) return 1.0;
   if (squared_error >= (mu + 1.0) / mu) return 0.0;
@@ -178,7 +178,7 @@ class Graduation {
     }
   }
 
-  /// Near convex: so small that no weight in play vanishes at first (yang2020, remark 5).
+  /// Near convex: so small that no weight in play vanishes at first (yang2020).
   [[nodiscard]] double first_mu() const {
     double largest = 0.0;
     for (const ClosureGroup& group : groups_) {

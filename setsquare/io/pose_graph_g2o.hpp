@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// The text format of g2o (Kuemmerle et al. 2011): what its tools and others load.
+// The text format of g2o (kuemmerle2011): what its tools and others load.
 #pragma once
 
 #include <cstdint>
