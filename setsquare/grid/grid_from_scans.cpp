@@ -3,15 +3,13 @@
 #include "setsquare/grid/grid_from_scans.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <Eigen/Core>
-#include <exception>
 #include <limits>
-#include <thread>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parallel.hpp"
 
 namespace setsquare {
 namespace {
@@ -131,36 +129,21 @@ void fill_band(OccupancyGrid& grid,
   band.finish(params.insertion);
 }
 
-/// Fills the grid, cut into a few bands a thread; each is taken by the next thread that is free.
+/// Fills the grid, cut into a few bands a thread.
 void fill(OccupancyGrid& grid,
           const std::vector<GridScan>& scans,
           const GridFromScansParams& params) {
   std::vector<std::uint16_t> num_hits(grid.values().size(), 0);
-  const std::int32_t num_shares = params.num_threads > 1 ? 4 * params.num_threads : 1;
-  const std::int32_t band_rows = (grid.num_rows() + num_shares - 1) / num_shares;
-  std::atomic<std::int32_t> next_row{0};
-  std::vector<std::exception_ptr> failures(static_cast<std::size_t>(params.num_threads));
-  const auto work = [&](std::size_t thread) {
-    try {
-      for (std::int32_t row = next_row.fetch_add(band_rows); row < grid.num_rows();
-           row = next_row.fetch_add(band_rows)) {
-        const std::int32_t end_row = std::min(row + band_rows, grid.num_rows());
-        const std::size_t first = grid.index({0, row});
-        const std::size_t num_cells = grid.index({0, end_row}) - first;
-        fill_band(grid, row, std::span(num_hits).subspan(first, num_cells), scans, params);
-      }
-    } catch (...) {
-      failures[thread] = std::current_exception();
-    }
-  };
-  {
-    std::vector<std::jthread> others;
-    for (std::size_t i = 1; i < failures.size(); ++i) others.emplace_back(work, i);
-    work(0);
-  }
-  for (const std::exception_ptr& failure : failures) {
-    if (failure) std::rethrow_exception(failure);
-  }
+  const auto num_threads = static_cast<std::size_t>(params.num_threads);
+  const auto num_rows = static_cast<std::size_t>(grid.num_rows());
+  const std::size_t num_bands = std::min(num_threads > 1 ? 4 * num_threads : 1, num_rows);
+  run_in_parallel(num_bands, num_threads, [&](std::size_t band) {
+    const auto row = static_cast<std::int32_t>(band * num_rows / num_bands);
+    const auto end_row = static_cast<std::int32_t>((band + 1) * num_rows / num_bands);
+    const std::size_t first = grid.index({0, row});
+    const std::size_t num_cells = grid.index({0, end_row}) - first;
+    fill_band(grid, row, std::span(num_hits).subspan(first, num_cells), scans, params);
+  });
 }
 
 }  // namespace

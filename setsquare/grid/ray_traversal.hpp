@@ -44,7 +44,7 @@ class RayTraversal {
   [[nodiscard]] CellIndex cell() const { return cell_; }
   /// To the next cell; at most num_steps times.
   void advance() {
-    // Masks instead of a branch that no processor can predict: benchmarks/grid_benchmark.
+    // Masks instead of a branch that no processor can predict: benchmarks/stages/grid_benchmark.
     const std::int64_t column_mask = lead_ >> 63;  // all ones where the column is next
     const auto column_mask32 = static_cast<std::int32_t>(column_mask);
     cell_.column += column_step_ & column_mask32;
