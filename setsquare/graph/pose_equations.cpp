@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/node_sets.hpp"
 
 namespace setsquare {
 namespace {
@@ -28,6 +29,17 @@ bool has_heading(const PoseGraph& graph) {
     if (heading.information_per_rad2 > 0.0) return true;
   }
   return false;
+}
+
+/// Whether all nodes hang together, however weakly. Pivots alone do not tell: in a large graph the
+/// rounding of a pivot that should vanish can pass for a hold.
+bool is_one_piece(const PoseGraph& graph) {
+  NodeSets sets(graph.T_map_node.size());
+  for (const Constraint& constraint : graph.constraints) {
+    if (constraint.weight * constraint.information.trace() <= 0.0) continue;
+    sets.join(constraint.from, constraint.to);
+  }
+  return sets.num_sets() <= 1;
 }
 
 double heading_residual(const PoseGraph& graph, const HeadingMeasurement& heading) {
@@ -84,6 +96,7 @@ void PoseEquations::add(const PoseGraph& graph, std::size_t k) {
 void PoseEquations::linearize(const PoseGraph& graph) {
   equations_.set_zero();
   if (graph.T_map_node.empty()) return;
+  if (!is_one_piece(graph)) throw ParameterError("constraints", "leave nodes without a hold");
   const double heading_holds = is_heading_held_ ? 1.0 : 0.0;
   equations_.add_diagonal(0, Eigen::Vector3d(1.0, 1.0, heading_holds).asDiagonal());
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) add(graph, k);

@@ -139,6 +139,13 @@ TEST(GaussNewtonPoseGraph, AnOpenPoseIsAnError) {
   EXPECT_NO_THROW(polish(graph));
 }
 
+TEST(GaussNewtonPoseGraph, AnIslandOfNodesIsAnError) {
+  std::mt19937_64 generator = make_generator();
+  PoseGraph graph = simulate_pose_graph({.num_nodes = 3000, .num_closures = 0}, generator).graph;
+  graph.constraints[1000].weight = 0.0;
+  EXPECT_THROW(polish(graph), ParameterError);
+}
+
 TEST(GaussNewtonPoseGraph, ParametersAreChecked) {
   PoseGraph graph;
   EXPECT_THROW(polish(graph, {.max_iterations = -1}), ParameterError);
