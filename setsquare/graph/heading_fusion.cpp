@@ -4,104 +4,160 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/graph/tridiagonal.hpp"
+#include "setsquare/graph/heading_equations.hpp"
+#include "setsquare/graph/heading_measurements.hpp"
 
 namespace setsquare {
 namespace {
 
-/// The proposal that the traced drift means, as a measured drift.
-struct MeasuredDrift {
-  double drift_rad = 0.0;
-  double weight_per_rad2 = 0.0;  ///< 0 where there is no proposal.
-};
+using Measurements = std::vector<HeadingMeasurement>;
 
-MeasuredDrift nearest_proposal(const HeadingEvidence& keyframe,
-                               double traced_drift_rad,
-                               const HeadingFusionParams& params) {
-  MeasuredDrift nearest;
-  double least_rad = params.drift.period_rad;
-  for (const HeadingProposal& proposal : keyframe.proposals) {
-    const double miss_rad =
-        wrap_to_period(proposal.heading_rad - keyframe.tracked_heading_rad - traced_drift_rad,
-                       params.drift.period_rad);
-    if (std::abs(miss_rad) >= least_rad) continue;
-    least_rad = std::abs(miss_rad);
-    const double variance_rad2 = proposal.sigma_rad * proposal.sigma_rad +
-                                 params.building_sigma_rad * params.building_sigma_rad;
-    nearest = {traced_drift_rad + miss_rad, proposal.confidence / variance_rad2};
-  }
-  return nearest;
-}
-
-/// Geman-McClure: 1 for a proposal that fits, 1/4 at the scale.
+/// Geman-McClure: 1 for a measurement that fits, 1/4 at the scale.
 double robust_weight(double residual_rad, double scale_rad) {
   const double ratio = residual_rad / scale_rad;
   const double root = 1.0 / (1.0 + ratio * ratio);
   return root * root;
 }
 
-constexpr double kMinStepSigma_rad = 1e-6;
-
-std::vector<double> solve_drift(const std::vector<HeadingEvidence>& keyframes,
-                                const std::vector<MeasuredDrift>& measured,
-                                const std::vector<double>& weight) {
-  TridiagonalSystem system(keyframes.size());
-  for (std::size_t k = 0; k < keyframes.size(); ++k) {
-    system.bind(k, measured[k].drift_rad, weight[k] * measured[k].weight_per_rad2);
-    if (k == 0) continue;
-    const double sigma_rad = std::max(keyframes[k].step_sigma_rad, kMinStepSigma_rad);
-    system.bind_step(k - 1, 0.0, 1.0 / (sigma_rad * sigma_rad));
+/// A frame's offset is not known beforehand, but that it lies within the period.
+void bind_offsets(const HeadingFrames& found, double period_rad, HeadingEquations& equations) {
+  for (std::size_t f = 1; f < found.frames.size(); ++f) {
+    equations.bind_offset(f, found.frames[f].offset_rad, 1.0 / (period_rad * period_rad));
   }
-  return solve(std::move(system));
+}
+
+HeadingEquations chain_equations(const HeadingFrames& found,
+                                 const Measurements& measurements,
+                                 const std::vector<double>& weight,
+                                 double period_rad) {
+  const std::size_t n = found.drift_rad.size();
+  HeadingEquations equations(n, found.frames.size());
+  for (std::size_t m = 0; m < measurements.size(); ++m) {
+    const HeadingMeasurement& measurement = measurements[m];
+    equations.bind(measurement.keyframe,
+                   measurement.frame,
+                   measurement.offset_rad,
+                   weight[m] * measurement.information);
+  }
+  for (std::size_t k = 1; k < n; ++k) {
+    const double sigma_rad = found.step_sigma_rad[k];
+    equations.bind_step(k - 1, 1.0 / (sigma_rad * sigma_rad));
+  }
+  bind_offsets(found, period_rad, equations);
+  return equations;
+}
+
+/// How far a measurement is from what the drifts and offsets say.
+double residual_rad(const HeadingMeasurement& measurement, const HeadingFrames& found) {
+  return measurement.offset_rad - found.drift_rad[measurement.keyframe] -
+         found.frames[measurement.frame].offset_rad;
+}
+
+/// Step 4 of fuse_headings: drifts and offsets in `found` become exact. Returns the weights.
+std::vector<double> solve_robustly(const Measurements& measurements,
+                                   const HeadingFusionParams& params,
+                                   HeadingFrames& found) {
+  std::vector<double> weight(measurements.size(), 1.0);
+  double scale_rad = 16.0 * params.inlier_rad;
+  for (int iteration = 0; iteration < params.num_iterations; ++iteration) {
+    HeadingSolution solution =
+        chain_equations(found, measurements, weight, params.trace.period_rad).solve();
+    found.drift_rad = std::move(solution.drift_rad);
+    for (std::size_t f = 1; f < found.frames.size(); ++f) {
+      found.frames[f].offset_rad = solution.offset_rad(static_cast<Eigen::Index>(f - 1));
+    }
+    for (std::size_t m = 0; m < measurements.size(); ++m) {
+      weight[m] = robust_weight(residual_rad(measurements[m], found), scale_rad);
+    }
+    scale_rad = std::max(params.inlier_rad, 0.7 * scale_rad);
+  }
+  return weight;
+}
+
+/// Standard deviations of the headings and of the frames' offsets.
+void add_sigmas(const Measurements& measurements,
+                std::vector<double> weight,
+                const HeadingFusionParams& params,
+                HeadingFrames& found,
+                FusedHeadings& fused) {
+  for (double& w : weight) w /= params.num_alike;
+  const HeadingVariances variances =
+      chain_equations(found, measurements, weight, params.trace.period_rad).variances();
+  for (std::size_t k = 0; k < variances.drift_rad2.size(); ++k) {
+    fused.heading_sigma_rad[k] = std::sqrt(variances.drift_rad2[k]);
+  }
+  for (std::size_t f = 1; f < found.frames.size(); ++f) {
+    found.frames[f].sigma_rad = std::sqrt(variances.offset_rad2(static_cast<Eigen::Index>(f - 1)));
+  }
+}
+
+/// What each keyframe's measurements say together: their weighted mean.
+void add_measured(const Measurements& measurements,
+                  const std::vector<double>& weight,
+                  const HeadingFrames& found,
+                  FusedHeadings& fused) {
+  constexpr double kMinWeight = 0.05;  // Less is no belief.
+  for (std::size_t m = 0; m < measurements.size(); ++m) {
+    const HeadingMeasurement& measurement = measurements[m];
+    const std::size_t k = measurement.keyframe;
+    if (weight[m] > fused.weight[k]) {
+      fused.weight[k] = weight[m];
+      if (weight[m] >= kMinWeight) fused.frame[k] = static_cast<int>(measurement.frame);
+    }
+    const double information = weight[m] * measurement.information;
+    fused.measured_information[k] += information;
+    if (!(fused.measured_information[k] > 0.0)) continue;
+    const double heading_rad = fused.heading_rad[k] + residual_rad(measurement, found);
+    fused.measured_heading_rad[k] +=
+        (heading_rad - fused.measured_heading_rad[k]) * information / fused.measured_information[k];
+  }
 }
 
 }  // namespace
 
 void HeadingFusionParams::validate() const {
-  drift.validate();
+  trace.validate();
+  frames.validate();
   if (!(building_sigma_rad > 0.0)) throw ParameterError("building_sigma_rad", "must be positive");
   if (!(inlier_rad > 0.0)) throw ParameterError("inlier_rad", "must be positive");
   if (num_iterations < 1) throw ParameterError("num_iterations", "must be at least 1");
+  if (!(num_alike >= 1.0)) throw ParameterError("num_alike", "must be at least 1");
 }
 
 FusedHeadings fuse_headings(const std::vector<HeadingEvidence>& keyframes,
                             const HeadingFusionParams& params) {
   const std::size_t n = keyframes.size();
+  const double infinite = std::numeric_limits<double>::infinity();
   FusedHeadings fused{.heading_rad = std::vector<double>(n),
                       .drift_rad = std::vector<double>(n, 0.0),
-                      .weight = std::vector<double>(n, 1.0)};
-  if (n == 0) return fused;
-
-  const std::vector<double> traced_rad = trace_heading_drift(keyframes, params.drift);
-  std::vector<MeasuredDrift> measured(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    measured[k] = nearest_proposal(keyframes[k], traced_rad[k], params);
-    // A proposal that the trace passed by is an outlier from the start.
-    const bool is_passed =
-        std::abs(measured[k].drift_rad - traced_rad[k]) > 2.0 * params.drift.inlier_rad;
-    if (is_passed || measured[k].weight_per_rad2 == 0.0) measured[k] = {};
-  }
-
-  const bool is_bound = std::any_of(measured.begin(), measured.end(), [](const MeasuredDrift& m) {
-    return m.weight_per_rad2 > 0.0;
-  });
-  // Where no wall was seen the tracked headings stay.
-  const int num_iterations = is_bound ? params.num_iterations : 0;
-  double scale_rad = 16.0 * params.inlier_rad;
-  for (int iteration = 0; iteration < num_iterations; ++iteration) {
-    fused.drift_rad = solve_drift(keyframes, measured, fused.weight);
-    for (std::size_t k = 0; k < n; ++k) {
-      const bool is_used = measured[k].weight_per_rad2 > 0.0;
-      fused.weight[k] =
-          is_used ? robust_weight(measured[k].drift_rad - fused.drift_rad[k], scale_rad) : 0.0;
-    }
-    scale_rad = std::max(params.inlier_rad, 0.7 * scale_rad);
+                      .weight = std::vector<double>(n, 0.0),
+                      .heading_sigma_rad = std::vector<double>(n, infinite),
+                      .measured_heading_rad = {},
+                      .measured_information = std::vector<double>(n, 0.0),
+                      .frame = std::vector<int>(n, -1),
+                      .frames = {}};
+  const HeadingTrace trace = trace_headings(keyframes, params.trace);
+  HeadingFrames found = find_heading_frames(keyframes, trace, params.trace, params.frames);
+  const Measurements measurements = assign_heading_proposals(keyframes,
+                                                             found,
+                                                             params.trace.period_rad,
+                                                             2.0 * params.trace.inlier_rad,
+                                                             params.building_sigma_rad);
+  std::vector<double> weight;
+  if (!measurements.empty()) {  // Else no wall was seen: the tracked headings stay.
+    weight = solve_robustly(measurements, params, found);
+    add_sigmas(measurements, weight, params, found, fused);
+    fused.drift_rad = found.drift_rad;
   }
   for (std::size_t k = 0; k < n; ++k) {
     fused.heading_rad[k] = keyframes[k].tracked_heading_rad + fused.drift_rad[k];
   }
+  fused.measured_heading_rad = fused.heading_rad;
+  add_measured(measurements, weight, found, fused);
+  fused.frames = std::move(found.frames);
   return fused;
 }
 

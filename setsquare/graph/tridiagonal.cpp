@@ -22,20 +22,40 @@ void TridiagonalSystem::bind_step(std::size_t i, double value, double weight) {
   right[i + 1] += weight * value;
 }
 
-std::vector<double> solve(TridiagonalSystem system) {
-  const std::size_t n = system.diagonal.size();
-  for (std::size_t i = 1; i < n; ++i) {
-    assert(system.diagonal[i - 1] > 0.0);
-    const double factor = system.next[i - 1] / system.diagonal[i - 1];
-    system.diagonal[i] -= factor * system.next[i - 1];
-    system.right[i] -= factor * system.right[i - 1];
+TridiagonalFactor::TridiagonalFactor(const TridiagonalSystem& system)
+    : pivot_(system.diagonal), diagonal_(system.diagonal), next_(system.next) {
+  for (std::size_t i = 1; i < pivot_.size(); ++i) {
+    assert(pivot_[i - 1] > 0.0);
+    pivot_[i] -= next_[i - 1] * next_[i - 1] / pivot_[i - 1];
   }
-  std::vector<double> x(n);
+}
+
+std::vector<double> TridiagonalFactor::solve(std::vector<double> right) const {
+  const std::size_t n = pivot_.size();
+  assert(right.size() == n);
+  for (std::size_t i = 1; i < n; ++i) right[i] -= next_[i - 1] / pivot_[i - 1] * right[i - 1];
   for (std::size_t i = n; i-- > 0;) {
-    const double after = i + 1 < n ? system.next[i] * x[i + 1] : 0.0;
-    x[i] = (system.right[i] - after) / system.diagonal[i];
+    const double after = i + 1 < n ? next_[i] * right[i + 1] : 0.0;
+    right[i] = (right[i] - after) / pivot_[i];
   }
-  return x;
+  return right;
+}
+
+std::vector<double> TridiagonalFactor::inverse_diagonal() const {
+  const std::size_t n = pivot_.size();
+  std::vector<double> variance(n);
+  // What eliminating all unknowns before i, and all after it, leaves of its diagonal entry.
+  double from_behind = 0.0;
+  for (std::size_t i = n; i-- > 0;) {
+    const double taken_by_later = i + 1 < n ? next_[i] * next_[i] / from_behind : 0.0;
+    from_behind = diagonal_[i] - taken_by_later;
+    variance[i] = 1.0 / (pivot_[i] - taken_by_later);
+  }
+  return variance;
+}
+
+std::vector<double> solve(const TridiagonalSystem& system) {
+  return TridiagonalFactor(system).solve(system.right);
 }
 
 }  // namespace setsquare

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace setsquare {
@@ -22,8 +23,24 @@ struct TridiagonalSystem {
   void bind_step(std::size_t i, double value, double weight);
 };
 
-/// The minimum of the sum of all terms, by an LDL^T elimination in O(n). Every chain of unknowns
-/// must be bound somewhere: the matrix is positive definite.
-[[nodiscard]] std::vector<double> solve(TridiagonalSystem system);
+/// L D L^T of a tridiagonal matrix, in O(n); then any number of right sides in O(n) each. Every
+/// chain of unknowns must be bound somewhere: the matrix is positive definite.
+class TridiagonalFactor {
+ public:
+  explicit TridiagonalFactor(const TridiagonalSystem& system);
+
+  [[nodiscard]] std::vector<double> solve(std::vector<double> right) const;
+
+  /// The n diagonal entries of the inverse: the unknowns' variances, in O(n).
+  [[nodiscard]] std::vector<double> inverse_diagonal() const;
+
+ private:
+  std::vector<double> pivot_;     ///< Of the elimination from the first unknown on: D.
+  std::vector<double> diagonal_;  ///< Of the matrix.
+  std::vector<double> next_;      ///< Of the matrix.
+};
+
+/// The minimum of the sum of all terms.
+[[nodiscard]] std::vector<double> solve(const TridiagonalSystem& system);
 
 }  // namespace setsquare

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -81,6 +82,98 @@ TEST(HeadingFusion, OutliersLoseTheirWeightAndTheRestKeepTheirs) {
   EXPECT_GT(fused.weight[42], 0.99);
 }
 
+TEST(HeadingFusion, WingsAtOddAnglesKeepTheirAngles) {
+  auto generator = make_generator();
+  const auto simulated = simulate_headings({.num_keyframes = 1200,
+                                            .drift_per_step_rad = rad_from_deg(0.02),
+                                            .step_noise_rad = rad_from_deg(0.05),
+                                            .measurement_noise_rad = rad_from_deg(0.3),
+                                            .outlier_share = 0.2,
+                                            .wing_offset_rad = {0.0, rad_from_deg(37.0)},
+                                            .keyframes_per_wing = 150},
+                                           generator);
+  const FusedHeadings fused = fuse_headings(simulated.evidence);
+  ASSERT_EQ(fused.frames.size(), 2U);
+  const double offset_rad = fused.frames[1].offset_rad;
+  const double expected_rad = rad_from_deg(fused.frame[10] == 0 ? 37.0 : -37.0);
+  EXPECT_NEAR(offset_rad, expected_rad, 4.0 * fused.frames[1].sigma_rad);
+  EXPECT_LT(fused.frames[1].sigma_rad, rad_from_deg(0.3));
+  const double main_rad = fused.frame[10] == 0 ? 0.0 : rad_from_deg(37.0);
+  std::size_t num_in_wing = 0;
+  for (std::size_t k = 0; k < 1200; ++k) {
+    const double error_rad =
+        wrap_to_period(fused.heading_rad[k] - simulated.heading_rad[k] - main_rad, 0.5 * kPi);
+    EXPECT_LT(std::abs(error_rad), rad_from_deg(1.0)) << k;
+    const bool is_first_wing = k / 150 % 2 == 0;
+    if (fused.frame[k] < 0) continue;
+    if ((fused.frame[k] == fused.frame[10]) == is_first_wing) ++num_in_wing;
+  }
+  EXPECT_GT(num_in_wing, 900U) << "of 1200 less a fifth of outliers";
+}
+
+TEST(HeadingFusion, AKeyframeThatSeesTwoWingsMeasuresBoth) {
+  auto generator = make_generator();
+  auto simulated = simulate_headings({.num_keyframes = 200,
+                                      .step_noise_rad = rad_from_deg(0.05),
+                                      .measurement_noise_rad = rad_from_deg(0.3),
+                                      .wing_offset_rad = {0.0, rad_from_deg(30.0)}},
+                                     generator);
+  const FusedHeadings alone = fuse_headings(simulated.evidence);
+  for (std::size_t k = 90; k < 110; ++k) {
+    auto& proposals = simulated.evidence[k].proposals;
+    HeadingProposal other = proposals.front();
+    other.heading_rad += rad_from_deg(k < 100 ? 30.0 : -30.0);
+    proposals.push_back(other);
+  }
+  const FusedHeadings both = fuse_headings(simulated.evidence);
+  ASSERT_EQ(both.frames.size(), 2U);
+  EXPECT_LT(both.frames[1].sigma_rad, alone.frames[1].sigma_rad);
+  EXPECT_GT(both.measured_information[95], 1.5 * alone.measured_information[95]);
+}
+
+TEST(HeadingFusion, TheMeasurementIsTheHeadingInTheMap) {
+  auto generator = make_generator();
+  const auto simulated = simulate_headings(
+      {.num_keyframes = 300, .wing_offset_rad = {0.0, 0.0, rad_from_deg(30.0)}}, generator);
+  const FusedHeadings fused = fuse_headings(simulated.evidence);
+  for (std::size_t k = 0; k < 300; ++k) {
+    EXPECT_NEAR(fused.measured_heading_rad[k], fused.heading_rad[k], 1e-6) << k;
+    EXPECT_GT(fused.measured_information[k], 1.0 / (0.01 * 0.01)) << k;
+    EXPECT_EQ(fused.frame[k], k < 200 ? 0 : 1) << k;
+  }
+}
+
+TEST(HeadingFusion, SigmaTellsTheErrors) {
+  auto generator = make_generator();
+  const HeadingFusionParams params{.building_sigma_rad = rad_from_deg(0.3), .num_alike = 1.0};
+  double sum_squares = 0.0;
+  constexpr std::size_t kNumKeyframes = 4000;
+  const auto simulated = simulate_headings({.num_keyframes = kNumKeyframes,
+                                            .step_noise_rad = rad_from_deg(0.1),
+                                            .measurement_noise_rad = rad_from_deg(0.316)},
+                                           generator);
+  const FusedHeadings fused = fuse_headings(simulated.evidence, params);
+  const std::vector<double> errors = errors_rad(simulated, fused);
+  for (std::size_t k = 0; k < kNumKeyframes; ++k) {
+    const double ratio = errors[k] / fused.heading_sigma_rad[k];
+    sum_squares += ratio * ratio;
+  }
+  const double rms = std::sqrt(sum_squares / static_cast<double>(kNumKeyframes));
+  EXPECT_GT(rms, 0.8);
+  EXPECT_LT(rms, 1.2);
+}
+
+TEST(HeadingFusion, SigmaGrowsWhereNoWallIsSeen) {
+  auto generator = make_generator();
+  auto simulated = simulate_headings({.num_keyframes = 300}, generator);
+  for (std::size_t k = 100; k < 200; ++k) simulated.evidence[k].proposals.clear();
+  const FusedHeadings fused = fuse_headings(simulated.evidence);
+  EXPECT_GT(fused.heading_sigma_rad[150], 1.5 * fused.heading_sigma_rad[50]);
+  EXPECT_GT(fused.heading_sigma_rad[150], fused.heading_sigma_rad[110]);
+  EXPECT_EQ(fused.frame[150], -1);
+  EXPECT_EQ(fused.measured_information[150], 0.0);
+}
+
 TEST(HeadingFusion, AShiftOfAllMeasurementsTurnsTheMapAndNothingElse) {
   auto generator = make_generator();
   const auto simulated = simulate_headings({.step_noise_rad = rad_from_deg(0.08),
@@ -112,6 +205,7 @@ TEST(HeadingFusion, WithoutWallsTheTrackedHeadingsStay) {
   for (std::size_t k = 0; k < evidence.size(); ++k) {
     EXPECT_EQ(fused.heading_rad[k], evidence[k].tracked_heading_rad);
   }
+  EXPECT_TRUE(std::isinf(fused.heading_sigma_rad[1]));
   EXPECT_TRUE(fuse_headings({}).heading_rad.empty());
 }
 

@@ -7,7 +7,8 @@
 #include <random>
 #include <vector>
 
-#include "setsquare/graph/heading_drift.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/graph/heading_evidence.hpp"
 
 namespace setsquare::testing {
 
@@ -23,6 +24,9 @@ struct HeadingSimulation {
   double step_noise_rad = 0.0;      ///< ... and a random one.
   double measurement_noise_rad = 0.0;
   double outlier_share = 0.0;  ///< Measurements anywhere within the quarter turn.
+  /// Wings of the building, one after the other and around again, by their walls' offset.
+  std::vector<double> wing_offset_rad = {0.0};
+  std::size_t keyframes_per_wing = 100;
 };
 
 /// Turns of every size, several times around; each measurement is taken modulo a quarter turn.
@@ -36,7 +40,9 @@ inline SimulatedHeadings simulate_headings(const HeadingSimulation& simulation,
     const double t = static_cast<double>(k);
     const double heading_rad = 0.04 * t + 1.5 * std::sin(0.05 * t);
     drift_rad += simulation.drift_per_step_rad + simulation.step_noise_rad * normal(generator);
-    double measured_rad = heading_rad + simulation.measurement_noise_rad * normal(generator);
+    const std::size_t wing = k / simulation.keyframes_per_wing % simulation.wing_offset_rad.size();
+    double measured_rad = heading_rad + simulation.wing_offset_rad[wing] +
+                          simulation.measurement_noise_rad * normal(generator);
     if (share(generator) < simulation.outlier_share) measured_rad = 0.5 * kPi * share(generator);
     simulated.heading_rad.push_back(heading_rad);
     simulated.evidence.push_back(

@@ -48,7 +48,12 @@ TEST(Tridiagonal, EqualsTheDenseSolution) {
     }
     const std::vector<double> x = solve(system);
     const Eigen::VectorXd expected = twin.hessian.ldlt().solve(twin.right);
-    for (std::size_t i = 0; i < n; ++i) EXPECT_NEAR(x[i], expected(i), 1e-10) << i << " of " << n;
+    const std::vector<double> variance = TridiagonalFactor(system).inverse_diagonal();
+    const Eigen::VectorXd expected_variance = twin.hessian.inverse().diagonal();
+    for (std::size_t i = 0; i < n; ++i) {
+      EXPECT_NEAR(x[i], expected(i), 1e-10) << i << " of " << n;
+      EXPECT_NEAR(variance[i], expected_variance(i), 1e-10) << i << " of " << n;
+    }
   }
 }
 

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+namespace setsquare {
+
+/// One direction that a keyframe's walls propose for its heading.
+struct HeadingProposal {
+  double heading_rad = 0.0;  ///< Heading in the building, known modulo the period only.
+  double sigma_rad = 0.0;    ///< Standard deviation if the proposal is the right one.
+  double confidence = 0.0;   ///< Belief that it is the right one, 0 to 1.
+};
+
+/// What is known of a keyframe's heading before fusion.
+struct HeadingEvidence {
+  double tracked_heading_rad = 0.0;  ///< By tracking: smooth, drifts.
+  /// Standard deviation of the tracked rotation from the keyframe before; unused for the first.
+  double step_sigma_rad = 0.0;
+  std::vector<HeadingProposal> proposals;  ///< None where no wall was seen.
+};
+
+}  // namespace setsquare
