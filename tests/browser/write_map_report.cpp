@@ -40,7 +40,7 @@ Scan scan_at(const Pose2& T_map_base) {
 
 ReportPose report_pose(int pose) {
   ReportPose row = {stamp_of(pose), pose_of(pose)};
-  row.sigma_m = 0.01 + 0.3 * pose / kNumPoses;
+  row.sigma_m = pose >= 90 && pose < 130 ? 0.3 : 0.01;
   if (pose >= 40 && pose < 50) row.condition = ReportCondition::kDegenerate;
   if (pose >= 160 && pose < 165) row.condition = ReportCondition::kLost;
   if (pose == 165) row.condition = ReportCondition::kRecovered;

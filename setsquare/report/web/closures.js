@@ -6,14 +6,14 @@ const kKinds = ["accepted", "one-axis", "outvoted", "refused"];
 const kKindNames = { accepted: "accepted", "one-axis": "one axis only", outvoted: "outvoted", refused: "refused" };
 const kOutvotedBelow = 0.5;
 
-/** Adds kind, apart (s between the visits), misfit (m) and turnMisfit (rad). */
+/** Adds kind, apart (s between the visits), residual (m) and turnResidual (rad). */
 function judgeClosures(closures, scans) {
   const count = closures.i.length;
   closures.count = count;
   closures.kind = [];
   closures.apart = new Float64Array(count);
-  closures.misfit = new Float64Array(count);
-  closures.turnMisfit = new Float64Array(count);
+  closures.residual = new Float64Array(count);
+  closures.turnResidual = new Float64Array(count);
   for (let k = 0; k < count; ++k) {
     const i = closures.i[k];
     const j = closures.j[k];
@@ -25,8 +25,8 @@ function judgeClosures(closures, scans) {
     const dx = placed.x - scans.x[j];
     const dy = placed.y - scans.y[j];
     const axes = closures.axes[k];
-    closures.misfit[k] = axes === "xy" ? Math.hypot(dx, dy) : Math.abs(axes === "x" ? dx : dy);
-    closures.turnMisfit[k] = Math.abs(wrapped(placed.h - scans.h[j]));
+    closures.residual[k] = axes === "xy" ? Math.hypot(dx, dy) : Math.abs(axes === "x" ? dx : dy);
+    closures.turnResidual[k] = Math.abs(wrapped(placed.h - scans.h[j]));
   }
   closures.sums = Object.fromEntries(kKinds.map((kind) => [kind, closures.kind.filter((a) => a === kind).length]));
 }
@@ -54,7 +54,7 @@ function shownClosures(closures, order, scans) {
   const keys = {
     time: (k) => scans.t[closures.j[k]],
     weight: (k) => closures.weight[k],
-    misfit: (k) => -closures.misfit[k],
+    residual: (k) => -closures.residual[k],
     apart: (k) => -closures.apart[k],
   };
   const shown = [];

@@ -121,7 +121,7 @@ class HeadingPanel {
 
   /** The more a measurement was believed, the stronger its point. */
   drawPoints(context, points) {
-    const size = this.view.scale / this.view.fittedScale > 6 ? 4 : 3;
+    const size = this.view.scale / this.view.fittedScale > 6 ? 5 : 3;
     const buckets = new Map();
     points.forEach((value, k) => {
       if (value === null) return;

@@ -78,6 +78,8 @@ class MapPanel {
     if (what === "selected" && shared.selected >= 0) {
       this.view.reveal(this.marks.u[shared.selected], this.marks.v[shared.selected]);
     }
+    const pose = what === "pinned" ? this.track.at(shared.pointedTime) : -1;
+    if (pose >= 0) this.view.reveal(this.report.poses.u[pose], this.report.poses.v[pose]);
     this.ask();
   }
 

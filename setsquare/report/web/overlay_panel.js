@@ -152,8 +152,8 @@ class OverlayPanel {
     add(element("span", "", dot("current"), " second scan"), visit(j) + ", " + duration(closures.apart[k]) + " apart");
     add("seen from the first", "x " + inMetres(closures.x[k], 3) + ", y " + inMetres(closures.y[k], 3) + ", " + inDegrees(closures.h[k], 2));
     add(term("weight"), fixed(closures.weight[k], 2));
-    add(term("misfit"), inMetres(closures.misfit[k], 3) + (axes === "xy" ? "" : " along " + axes) + ", " +
-        inDegrees(closures.turnMisfit[k], 2));
+    add(term("residual"), inMetres(closures.residual[k], 3) + (axes === "xy" ? "" : " along " + axes) + ", " +
+        inDegrees(closures.turnResidual[k], 2));
     facts.replaceChildren(...rows);
   }
 }

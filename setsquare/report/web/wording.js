@@ -53,7 +53,7 @@ const kWords = {
   outvoted: "Accepted when verified, but the finished map contradicts it: its weight fell below one half, and it hardly pulls.",
   refused: "A candidate that did not pass verification. It is shown, but does not touch the map.",
   weight: "How far the finished map believes a measurement, from 0 (not at all) to 1 (fully).",
-  misfit: "How far the closure's own pose is from where the finished map has the two scans: small where all measurements agree.",
+  residual: "How far the closure's own pose is from where the finished map has the two scans: small where all measurements agree.",
   degenerate: "The scans did not fix the motion along one direction, as in a bare corridor. The heading is right, the length of the stretch is uncertain.",
   lost: "No scan matched: the pose is only carried on from the motion before.",
   recovered: "Found again by matching without any guess, after a gap or a fast turn.",
