@@ -59,6 +59,7 @@ GaussNewtonSummary polish(PoseGraph& graph, const GaussNewtonParams& params) {
   GaussNewtonSummary summary;
   summary.initial_cost = cost(graph);
   summary.final_cost = summary.initial_cost;
+  if (graph.T_map_node.empty()) return summary;
   while (summary.num_iterations < params.max_iterations) {
     equations.linearize(graph);
     Eigen::VectorXd step = equations.step();

@@ -34,7 +34,7 @@ class PoseEquations {
   /// weights. Throws ParameterError where a pose is left open.
   void linearize(const PoseGraph& graph);
 
-  /// The step to the minimum of the linearized problem: 3 numbers a node.
+  /// The step to the minimum of the linearized problem: 3 numbers a node. Wants a node.
   [[nodiscard]] Eigen::VectorXd step() const { return equations_.solve(equations_.b); }
 
   /// H^-1 times columns.
