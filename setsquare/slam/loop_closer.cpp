@@ -3,6 +3,7 @@
 #include "setsquare/slam/loop_closer.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <map>
 
@@ -11,31 +12,6 @@
 
 namespace setsquare {
 namespace {
-
-/// The submap about a keyframe, within its piece of track.
-Submap submap_about(const KeyframeTrack& track,
-                    std::span<const Pose2> T_map_sensor,
-                    std::size_t middle,
-                    std::size_t half_width) {
-  std::size_t first = middle;
-  while (first > 0 && middle - first < half_width &&
-         track.pieces[first - 1] == track.pieces[middle]) {
-    --first;
-  }
-  std::size_t end = middle + 1;
-  while (end < track.size() && end - middle <= half_width &&
-         track.pieces[end] == track.pieces[middle]) {
-    ++end;
-  }
-  return make_submap(track.keyframes, T_map_sensor, first, middle, end);
-}
-
-/// What remains of the information where one direction, a unit vector, is open.
-Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information, const Eigen::Vector2d& open) {
-  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
-  kept.topLeftCorner<2, 2>() -= open * open.transpose();
-  return kept * information * kept;
-}
 
 /// Way from one keyframe to a later one, with what uncertain motion counts as way.
 double way_between(const KeyframeTrack& track,
@@ -67,75 +43,86 @@ LoopCloser::LoopCloser(const LoopCloserParams& params)
   params_.validate();
 }
 
-void LoopCloser::add_stations(const KeyframeTrack& track) {
+void LoopCloser::add_joints(std::span<const ComparedPlaces> joints) {
+  for (const ComparedPlaces& joint : joints) joints_to_link_.emplace_back(joint.from, joint.to);
+  compared_.insert(compared_.end(), joints.begin(), joints.end());
+}
+
+std::size_t LoopCloser::nearest_station(std::size_t keyframe) const {
+  const auto after = std::lower_bound(stations_.begin(), stations_.end(), keyframe);
+  return static_cast<std::size_t>(after - stations_.begin()) - (after == stations_.end() ? 1 : 0);
+}
+
+void LoopCloser::add_stations(const KeyframeTrack& track, std::size_t num_keyframes) {
   const std::size_t spacing = params_.station_spacing;
   std::size_t next = stations_.empty() ? spacing : stations_.back() + spacing;
-  for (; next + params_.submap_half_width < track.size(); next += spacing) {
+  for (; next + params_.submap_half_width < num_keyframes; next += spacing) {
     const std::size_t before = stations_.empty() ? next : stations_.back();
     candidates_.add_station(way_between(track, before, next, params_.candidates));
     stations_.push_back(next);
   }
+  std::erase_if(joints_to_link_, [&](const auto& joint) {
+    if (stations_.empty() || std::max(joint.first, joint.second) > stations_.back()) return false;
+    candidates_.link(nearest_station(joint.first), nearest_station(joint.second));
+    return true;
+  });
 }
 
-void LoopCloser::extend(const KeyframeTrack& track,
-                        std::span<const Pose2> T_map_sensor,
-                        std::size_t num_threads) {
-  const std::size_t first_new = stations_.size();
-  add_stations(track);
-  std::vector<Eigen::Vector2d> positions_m;
-  for (const std::size_t keyframe : stations_) {
-    positions_m.push_back(T_map_sensor[keyframe].translation());
-  }
-  const std::vector<ClosureCandidate> found = candidates_.find(first_new, positions_m);
-
-  std::map<std::size_t, Submap> submaps;
-  for (const ClosureCandidate& candidate : found) {
+std::vector<ComparedPlaces> LoopCloser::compare(const KeyframeTrack& track,
+                                                std::span<const Pose2> T_map_sensor,
+                                                std::span<const ClosureCandidate> candidates,
+                                                std::size_t num_threads) const {
+  std::map<std::size_t, Submap> submaps;  // by station
+  for (const ClosureCandidate& candidate : candidates) {
     submaps[candidate.reference];
     submaps[candidate.current];
   }
   std::vector<std::pair<const std::size_t, Submap>*> to_make;
   for (auto& entry : submaps) to_make.push_back(&entry);
   run_in_parallel(to_make.size(), num_threads, [&](std::size_t i) {
-    to_make[i]->second =
-        submap_about(track, T_map_sensor, stations_[to_make[i]->first], params_.submap_half_width);
+    const std::size_t middle = stations_[to_make[i]->first];
+    to_make[i]->second = make_submap(track, T_map_sensor, middle, params_.submap_half_width);
   });
 
-  std::vector<ComparedPlaces> compared(found.size());
-  run_in_parallel(found.size(), num_threads, [&](std::size_t i) {
-    const ClosureCandidate& candidate = found[i];
-    ComparedPlaces& places = compared[i];
-    places.from = stations_[candidate.reference];
-    places.to = stations_[candidate.current];
-    const Pose2& T_map_from = T_map_sensor[places.from];
-    places.T_from_to = T_map_from.inverse() * T_map_sensor[places.to];
-    const auto match = match_submaps(submaps.at(candidate.reference),
-                                     submaps.at(candidate.current),
-                                     {places.T_from_to, candidate.window_m},
-                                     params_.match);
+  std::vector<ComparedPlaces> compared(candidates.size());
+  run_in_parallel(candidates.size(), num_threads, [&](std::size_t i) {
+    const Submap& reference = submaps.at(candidates[i].reference);
+    const Submap& current = submaps.at(candidates[i].current);
+    const Pose2& T_map_from = T_map_sensor[reference.keyframe];
+    const Pose2 expected = T_map_from.inverse() * T_map_sensor[current.keyframe];
+    compared[i] = {.from = reference.keyframe, .to = current.keyframe, .T_from_to = expected};
+    const auto match =
+        match_submaps(reference, current, {expected, candidates[i].window_m}, params_.match);
     if (!match) return;
-    places.verdict = closure_verdict(*match, T_map_from.theta_rad, params_.verdict);
-    places.T_from_to = match->best.T_reference_current;
-    places.information = match->best.hessian / (params_.point_sigma_m * params_.point_sigma_m);
-    if (places.verdict.reason == ClosureReason::kOneAxis) {
-      places.information = without_direction(places.information, match->weak.direction);
-    }
-    places.score = match->best.score;
-    places.contradiction = match->best.contradiction;
+    compared[i] = judged_places(reference.keyframe,
+                                current.keyframe,
+                                *match,
+                                T_map_from.theta_rad,
+                                params_.point_sigma_m,
+                                params_.verdict);
   });
-  for (std::size_t i = 0; i < found.size(); ++i) {
-    if (compared[i].verdict.reason != ClosureReason::kStandsAlone) continue;
-    candidates_.link(found[i].reference, found[i].current);
-  }
-  compared_.insert(compared_.end(), compared.begin(), compared.end());
+  return compared;
 }
 
-Constraint closure_constraint(const ComparedPlaces& places) {
-  return {.from = places.from,
-          .to = places.to,
-          .T_from_to = places.T_from_to,
-          .information = places.information,
-          .kind = ConstraintKind::kLoopClosure,
-          .weight = 1.0};
+void LoopCloser::extend(const KeyframeTrack& track,
+                        std::size_t num_keyframes,
+                        std::span<const Pose2> T_map_sensor,
+                        std::size_t num_threads) {
+  assert(num_keyframes <= track.size());
+  const std::size_t first_new = stations_.size();
+  add_stations(track, num_keyframes);
+  std::vector<Eigen::Vector2d> positions_m;
+  for (const std::size_t keyframe : stations_) {
+    positions_m.push_back(T_map_sensor[keyframe].translation());
+  }
+  const std::vector<ClosureCandidate> candidates = candidates_.find(first_new, positions_m);
+  const std::vector<ComparedPlaces> compared =
+      compare(track, T_map_sensor, candidates, num_threads);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (compared[i].verdict.reason != ClosureReason::kStandsAlone) continue;
+    candidates_.link(candidates[i].reference, candidates[i].current);
+  }
+  compared_.insert(compared_.end(), compared.begin(), compared.end());
 }
 
 }  // namespace setsquare

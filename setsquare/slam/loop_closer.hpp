@@ -4,13 +4,12 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
-#include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/slam/closure_candidates.hpp"
-#include "setsquare/slam/closure_verdict.hpp"
+#include "setsquare/slam/compared_places.hpp"
 #include "setsquare/slam/keyframe_track.hpp"
-#include "setsquare/slam/submap_matcher.hpp"
 
 namespace setsquare {
 
@@ -28,17 +27,6 @@ struct LoopCloserParams {
   void validate() const;
 };
 
-/// Two places that were compared, and what came of it. Poses are those of the sensors.
-struct ComparedPlaces {
-  std::size_t from = 0;  ///< Keyframe, the earlier one.
-  std::size_t to = 0;    ///< Keyframe.
-  Pose2 T_from_to;
-  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< As in Constraint.
-  ClosureVerdict verdict;
-  double score = 0.0;
-  double contradiction = 0.0;
-};
-
 /// Finds where the track comes back to places it has seen.
 ///
 /// 1. Every few keyframes along the track stand a station: a submap of the keyframes about it.
@@ -49,28 +37,33 @@ class LoopCloser {
  public:
   explicit LoopCloser(const LoopCloserParams& params = {});
 
-  /// Looks at the stations that the track has gained. `T_map_sensor`: one a keyframe, as well as is
-  /// known. Any number of threads gives the same closures.
+  /// Places that are known to be the same, from elsewhere (join_pieces); accepted as they are.
+  void add_joints(std::span<const ComparedPlaces> joints);
+
+  /// Looks at the stations among the first `num_keyframes` of the track that it has not looked at.
+  /// `T_map_sensor`: one a keyframe, as well as is known. Any number of threads gives the same
+  /// closures.
   void extend(const KeyframeTrack& track,
+              std::size_t num_keyframes,
               std::span<const Pose2> T_map_sensor,
               std::size_t num_threads);
 
-  /// All pairs that were compared, in the order of their later station.
+  /// All pairs that were compared: joints, then in the order of the later station.
   [[nodiscard]] const std::vector<ComparedPlaces>& compared() const { return compared_; }
 
-  /// Middle keyframes of the stations so far.
-  [[nodiscard]] const std::vector<std::size_t>& stations() const { return stations_; }
-
  private:
-  void add_stations(const KeyframeTrack& track);
+  void add_stations(const KeyframeTrack& track, std::size_t num_keyframes);
+  [[nodiscard]] std::vector<ComparedPlaces> compare(const KeyframeTrack& track,
+                                                    std::span<const Pose2> T_map_sensor,
+                                                    std::span<const ClosureCandidate> candidates,
+                                                    std::size_t num_threads) const;
+  [[nodiscard]] std::size_t nearest_station(std::size_t keyframe) const;
 
   LoopCloserParams params_;
   ClosureCandidates candidates_;
-  std::vector<std::size_t> stations_;
+  std::vector<std::size_t> stations_;                                ///< Their middle keyframes.
+  std::vector<std::pair<std::size_t, std::size_t>> joints_to_link_;  ///< Keyframes.
   std::vector<ComparedPlaces> compared_;
 };
-
-/// The constraint of a pair that was accepted.
-[[nodiscard]] Constraint closure_constraint(const ComparedPlaces& places);
 
 }  // namespace setsquare

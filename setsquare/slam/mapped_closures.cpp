@@ -53,6 +53,19 @@ std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
   return closures;
 }
 
+std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
+                                  const std::vector<bool>& is_joined,
+                                  std::size_t num_scans) {
+  std::vector<TrackPiece> pieces;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    if (track.pieces[k] < pieces.size()) continue;
+    const std::size_t first = pieces.empty() ? 0 : track.keyframes[k]->scan_index;
+    if (!pieces.empty()) pieces.back().num_scans = first - pieces.back().first_scan;
+    pieces.push_back({first, num_scans - first, is_joined[track.pieces[k]]});
+  }
+  return pieces;
+}
+
 PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph) {
   PoseGraph of_base = graph;
   for (std::size_t k = 0; k < track.size(); ++k) {

@@ -19,6 +19,12 @@ namespace setsquare {
                                                          std::span<const ComparedPlaces> compared,
                                                          const PoseGraph& graph);
 
+/// The pieces of the track as ranges of scans: each begins with its first keyframe, the first one
+/// with the log.
+[[nodiscard]] std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
+                                                const std::vector<bool>& is_joined,
+                                                std::size_t num_scans);
+
 /// The same graph of the poses of `base`.
 [[nodiscard]] PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph);
 

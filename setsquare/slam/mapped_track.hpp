@@ -32,11 +32,19 @@ struct MappedClosure {
   std::size_t scan_j = 0;
 };
 
+/// A stretch of scans that tracking holds together.
+struct TrackPiece {
+  std::size_t first_scan = 0;
+  std::size_t num_scans = 0;
+  bool is_joined = true;  ///< With the largest piece; else nobody knows where it lies.
+};
+
 /// What a mapper knows at the end.
 struct MappedTrack {
   std::vector<MappedScan> scans;        ///< Every scan, in the order in which it came.
   std::vector<std::size_t> keyframes;   ///< Indices of scans.
   FusedHeadings headings;               ///< One a keyframe; none by PaperMapper.
+  std::vector<TrackPiece> pieces;       ///< One where tracking was never lost for long.
   std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
   /// weights, the headings measured; empty by PaperMapper.

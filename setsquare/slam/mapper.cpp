@@ -19,21 +19,13 @@ constexpr double kMinRevisitWeight = 0.5;
 /// Tracked motion is made of the scans that registration compares again.
 constexpr double kTrackedMotionWeight = 0.05;
 
-/// The proposals that the fused headings mean, as measurements in the map frame.
-std::vector<HeadingMeasurement> heading_measurements(const std::vector<HeadingEvidence>& evidence,
-                                                     const FusedHeadings& headings,
-                                                     const HeadingFusionParams& params) {
+/// What the walls said of the headings, as measurements in the map frame.
+std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
   std::vector<HeadingMeasurement> measurements;
-  for (std::size_t k = 0; k < evidence.size(); ++k) {
-    if (evidence[k].proposals.empty() || !(headings.weight[k] > 0.0)) continue;
-    const HeadingProposal& proposal = evidence[k].proposals.front();
-    const double off_rad =
-        wrap_to_period(proposal.heading_rad - headings.heading_rad[k], params.drift.period_rad);
-    const double variance_rad2 = proposal.sigma_rad * proposal.sigma_rad +
-                                 params.building_sigma_rad * params.building_sigma_rad;
-    measurements.push_back({k,
-                            wrap_to_pi(headings.heading_rad[k] + off_rad),
-                            headings.weight[k] * proposal.confidence / variance_rad2});
+  for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
+    if (!(headings.measured_information[k] > 0.0)) continue;
+    measurements.push_back(
+        {k, wrap_to_pi(headings.measured_heading_rad[k]), headings.measured_information[k]});
   }
   return measurements;
 }
@@ -64,6 +56,7 @@ void MapperParams::validate() const {
   heading.validate();
   closing.validate();
   robust.validate();
+  joining.validate();
   registration.validate();
   if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");
   if (!(closing_growth > 0.0)) throw ParameterError("closing_growth", "must be positive");
@@ -87,10 +80,10 @@ TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_b
   if (!tracked.is_keyframe) return tracked;
 
   add_keyframe(scan);
-  const std::size_t growth =
-      std::max(params_.min_closing_growth,
-               static_cast<std::size_t>(params_.closing_growth * static_cast<double>(num_closed_)));
-  if (track_.size() >= num_closed_ + growth) close_loops();
+  if (track_.size() >= next_closing(num_closed_)) {
+    close_loops(fuse_headings(evidence_, params_.heading).heading_rad, track_.size(), closer_);
+    num_closed_ = track_.size();
+  }
   return tracked;
 }
 
@@ -116,41 +109,76 @@ void Mapper::add_keyframe(const Scan& scan) {
   evidence_.push_back(std::move(evidence));
 }
 
-PoseGraph Mapper::graph_along(const FusedHeadings& headings) const {
-  PoseGraph graph = pose_graph_of(track_, headings.heading_rad);
-  for (const ComparedPlaces& places : closer_.compared()) {
+PoseGraph Mapper::graph_along(std::span<const double> headings_rad,
+                              const LoopCloser& closer) const {
+  PoseGraph graph = pose_graph_of(track_, headings_rad);
+  for (const ComparedPlaces& places : closer.compared()) {
     if (is_accepted(places.verdict.reason)) graph.constraints.push_back(closure_constraint(places));
   }
   return graph;
 }
 
-void Mapper::close_loops() {
-  PoseGraph graph = graph_along(fuse_headings(evidence_, params_.heading));
+void Mapper::close_loops(std::span<const double> headings_rad,
+                         std::size_t num_keyframes,
+                         LoopCloser& closer) const {
+  PoseGraph graph = graph_along(headings_rad, closer);
   const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
   for (std::size_t k = 0; k < positions_m.size(); ++k) {
     graph.T_map_node[k].x_m = positions_m[k].x();
     graph.T_map_node[k].y_m = positions_m[k].y();
   }
-  closer_.extend(track_, graph.T_map_node, params_.num_threads);
-  num_closed_ = track_.size();
+  closer.extend(track_, num_keyframes, graph.T_map_node, params_.num_threads);
 }
 
-MappedTrack Mapper::finish() {
-  if (track_.size() > num_closed_) close_loops();
-  const FusedHeadings headings = fuse_headings(evidence_, params_.heading);
-  PoseGraph graph = graph_along(headings);
-  graph.headings = heading_measurements(evidence_, headings, params_.heading);
+std::size_t Mapper::next_closing(std::size_t num_closed) const {
+  const auto growth =
+      static_cast<std::size_t>(params_.closing_growth * static_cast<double>(num_closed));
+  return num_closed + std::max(params_.min_closing_growth, growth);
+}
+
+LoopCloser Mapper::close_across_pieces(FusedHeadings& headings, JoinedPieces& joined) const {
+  const PoseGraph graph = pose_graph_of(track_, headings.heading_rad);
+  joined =
+      join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
+  for (std::size_t k = 0; k < track_.size(); ++k) {
+    const double turn_rad = 0.5 * kPi * joined.quarter_turns[track_.pieces[k]];
+    headings.heading_rad[k] += turn_rad;
+    headings.measured_heading_rad[k] += turn_rad;
+  }
+  LoopCloser closer(params_.closing);
+  closer.add_joints(joined.joints);
+  for (std::size_t end = 0; end < track_.size();) {
+    end = std::min(next_closing(end), track_.size());
+    close_loops(headings.heading_rad, end, closer);
+  }
+  return closer;
+}
+
+MappedTrack Mapper::finish() const {
+  MappedTrack mapped;
+  mapped.headings = fuse_headings(evidence_, params_.heading);
+  if (track_.size() == 0) return assemble(std::move(mapped), closer_, {}, {{}, {true}, {}});
+  const std::vector<double>& headings_rad = mapped.headings.heading_rad;
+  LoopCloser closer = closer_;
+  JoinedPieces joined{{0}, {true}, {}};
+  if (track_.pieces.back() > 0) {
+    closer = close_across_pieces(mapped.headings, joined);
+  } else {
+    close_loops(headings_rad, track_.size(), closer);
+  }
+  PoseGraph graph = graph_along(headings_rad, closer);
+  graph.headings = heading_measurements(mapped.headings);
   if (track_.size() > 1) {
     solve_robustly(graph, {}, params_.robust);
-    register_all(graph);
+    register_all(closer, graph);
   }
-  return assemble(headings, graph);
+  return assemble(std::move(mapped), closer, graph, joined);
 }
 
-void Mapper::register_all(PoseGraph& graph) const {
+void Mapper::register_all(const LoopCloser& closer, PoseGraph& graph) const {
   std::vector<RevisitedPlace> revisits;
   std::size_t next = track_.size() - 1;  // behind the tracked motions stand the closures
-  for (const ComparedPlaces& places : closer_.compared()) {
+  for (const ComparedPlaces& places : closer.compared()) {
     if (!is_accepted(places.verdict.reason)) continue;
     const Constraint& closure = graph.constraints[next++];
     if (places.verdict.axes != ClosureAxes::kXY || closure.weight < kMinRevisitWeight) continue;
@@ -161,9 +189,10 @@ void Mapper::register_all(PoseGraph& graph) const {
   graph.T_map_node = std::move(to_register.T_map_node);
 }
 
-MappedTrack Mapper::assemble(const FusedHeadings& headings, const PoseGraph& graph) const {
-  MappedTrack mapped;
-  mapped.headings = headings;
+MappedTrack Mapper::assemble(MappedTrack mapped,
+                             const LoopCloser& closer,
+                             const PoseGraph& graph,
+                             const JoinedPieces& joined) const {
   std::vector<MappedKeyframe> keyframes;
   for (std::size_t k = 0; k < track_.size(); ++k) {
     keyframes.push_back({track_.keyframes[k]->scan_index, graph.T_map_node[k]});
@@ -184,7 +213,8 @@ MappedTrack Mapper::assemble(const FusedHeadings& headings, const PoseGraph& gra
                             .effective_points = entry.tracked.weak.effective_points,
                             .has_odometry = entry.has_odometry});
   }
-  mapped.closures = mapped_closures(track_, closer_.compared(), graph);
+  mapped.pieces = pieces_of(track_, joined.is_joined, scans_.size());
+  mapped.closures = mapped_closures(track_, closer.compared(), graph);
   mapped.graph = graph_of_base(track_, graph);
   return mapped;
 }

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "setsquare/graph/heading_fusion.hpp"
@@ -14,6 +15,7 @@
 #include "setsquare/slam/loop_closer.hpp"
 #include "setsquare/slam/mapped_track.hpp"
 #include "setsquare/slam/motion_uncertainty.hpp"
+#include "setsquare/slam/piece_joining.hpp"
 #include "setsquare/slam/registration.hpp"
 #include "setsquare/slam/scan_tracker.hpp"
 
@@ -26,6 +28,7 @@ struct MapperParams {
   MotionUncertaintyParams motion;
   HeadingFusionParams heading;
   LoopCloserParams closing;
+  PieceJoiningParams joining;
   RobustPoseGraphParams robust;
   RegistrationParams registration;
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
@@ -50,7 +53,8 @@ struct MapperParams {
 ///    fused with the tracked rotations they do not drift (fuse_headings).
 /// 3. Loops: as the track grows, places near each other are compared, headings known (LoopCloser),
 ///    and positions solved, a linear problem (solve_positions).
-/// 4. At the end: weights of the closures by graduated non-convexity (solve_robustly), all
+/// 4. At the end: pieces of track between which tracking was lost are joined where they overlap
+///    (join_pieces); weights of the closures by graduated non-convexity (solve_robustly), all
 ///    keyframes registered with their neighbours (register_keyframes), scans laid out between them
 ///    (assemble_track).
 /// The map's axes are the building's. Memory grows with the keyframes.
@@ -63,7 +67,7 @@ class Mapper {
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
   /// All poses so far; more scans may follow.
-  [[nodiscard]] MappedTrack finish();
+  [[nodiscard]] MappedTrack finish() const;
 
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
@@ -78,10 +82,20 @@ class Mapper {
 
   void add_keyframe(const Scan& scan);
   /// The track laid out along its headings, with the closures accepted so far.
-  [[nodiscard]] PoseGraph graph_along(const FusedHeadings& headings) const;
-  void close_loops();
-  void register_all(PoseGraph& graph) const;
-  [[nodiscard]] MappedTrack assemble(const FusedHeadings& headings, const PoseGraph& graph) const;
+  [[nodiscard]] PoseGraph graph_along(std::span<const double> headings_rad,
+                                      const LoopCloser& closer) const;
+  void close_loops(std::span<const double> headings_rad,
+                   std::size_t num_keyframes,
+                   LoopCloser& closer) const;
+  /// Keyframes at which loops are looked for again.
+  [[nodiscard]] std::size_t next_closing(std::size_t num_closed) const;
+  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops anew.
+  [[nodiscard]] LoopCloser close_across_pieces(FusedHeadings& headings, JoinedPieces& joined) const;
+  void register_all(const LoopCloser& closer, PoseGraph& graph) const;
+  [[nodiscard]] MappedTrack assemble(MappedTrack mapped,
+                                     const LoopCloser& closer,
+                                     const PoseGraph& graph,
+                                     const JoinedPieces& joined) const;
 
   MapperParams params_;
   ScanTracker tracker_;

@@ -43,19 +43,25 @@ SurfacePoints points_of(const Submap& submap) {
 
 }  // namespace
 
-Submap make_submap(std::span<const KeyframePtr> keyframes,
+Submap make_submap(const KeyframeTrack& track,
                    std::span<const Pose2> T_map_sensor,
-                   std::size_t first,
                    std::size_t middle,
-                   std::size_t end) {
-  assert(first <= middle && middle < end && end <= keyframes.size());
+                   std::size_t half_width) {
+  assert(middle < track.size() && T_map_sensor.size() == track.size());
+  const std::size_t piece = track.pieces[middle];
+  std::size_t first = middle;
+  while (first > 0 && middle - first < half_width && track.pieces[first - 1] == piece) --first;
+  std::size_t end = middle + 1;
+  while (end < track.size() && end - middle <= half_width && track.pieces[end] == piece) ++end;
+
   Submap submap;
   submap.keyframe = middle;
   submap.middle_member = middle - first;
   const Pose2 T_submap_map = T_map_sensor[middle].inverse();
   for (std::size_t k = first; k < end; ++k) {
-    submap.members.push_back(keyframes[k].get());
-    submap.images.push_back({&keyframes[k]->image, T_submap_map * T_map_sensor[k]});
+    const Keyframe& keyframe = *track.keyframes[k];
+    submap.members.push_back(&keyframe);
+    submap.images.push_back({&keyframe.image, T_submap_map * T_map_sensor[k]});
   }
   const SurfacePoints all = points_of(submap);
   const auto weights = direction_balanced_weights(all, angle_histogram(all));

@@ -8,7 +8,7 @@
 
 #include "setsquare/matching/correlation_grid.hpp"
 #include "setsquare/matching/surface_samples.hpp"
-#include "setsquare/slam/keyframe.hpp"
+#include "setsquare/slam/keyframe_track.hpp"
 
 namespace setsquare {
 
@@ -23,13 +23,12 @@ struct Submap {
   SurfaceSamples fine;              ///< A few hundred, likewise: the verdict.
 };
 
-/// Keyframes [first, end) as a submap about the one at `middle`, placed by `T_map_sensor` (one a
-/// keyframe). first <= middle < end.
-[[nodiscard]] Submap make_submap(std::span<const KeyframePtr> keyframes,
+/// The keyframe at `middle` and up to `half_width` of its piece of track to either side, placed by
+/// `T_map_sensor` (one a keyframe).
+[[nodiscard]] Submap make_submap(const KeyframeTrack& track,
                                  std::span<const Pose2> T_map_sensor,
-                                 std::size_t first,
                                  std::size_t middle,
-                                 std::size_t end);
+                                 std::size_t half_width);
 
 /// The surfaces of the whole submap, and the free space that its middle keyframe saw.
 [[nodiscard]] CorrelationGrid correlation_grid(const Submap& submap);

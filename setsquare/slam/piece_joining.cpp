@@ -1,0 +1,219 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/piece_joining.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/parallel.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/slam/place_signature.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A keyframe that stands for its surroundings.
+struct Place {
+  std::size_t keyframe = 0;
+  PlaceSignature signature;
+};
+
+/// Two places that may be the same and, where they are, how.
+struct Proposal {
+  std::size_t known = 0;   ///< Keyframe of a joined piece.
+  std::size_t sought = 0;  ///< Keyframe of the piece that is sought.
+  bool is_verified = false;
+  int quarter_turns = 0;
+  Eigen::Vector2d offset_m = Eigen::Vector2d::Zero();  ///< Of the piece, after it has turned.
+  ComparedPlaces places;
+};
+
+class PieceJoiner {
+ public:
+  PieceJoiner(const KeyframeTrack& track,
+              std::span<const Pose2> T_map_sensor,
+              const LoopCloserParams& closing,
+              const PieceJoiningParams& params,
+              std::size_t num_threads)
+      : track_(track),
+        T_map_sensor_(T_map_sensor.begin(), T_map_sensor.end()),
+        closing_(closing),
+        params_(params),
+        num_threads_(num_threads) {
+    const std::size_t num_pieces = track.pieces.empty() ? 0 : track.pieces.back() + 1;
+    places_.resize(num_pieces);
+    joined_.quarter_turns.assign(num_pieces, 0);
+    joined_.is_joined.assign(num_pieces, false);
+    for (std::size_t k = 0; k < track.size(); k += closing.station_spacing) add_place(k);
+  }
+
+  JoinedPieces join_all() {
+    if (places_.empty()) return joined_;
+    const auto largest =
+        std::max_element(places_.begin(), places_.end(), [](const auto& a, const auto& b) {
+          return a.size() < b.size();
+        });
+    joined_.is_joined[static_cast<std::size_t>(largest - places_.begin())] = true;
+    // A piece that finds no place may find one when others have been joined.
+    for (bool has_grown = true; has_grown;) {
+      has_grown = false;
+      for (std::size_t piece = 0; piece < places_.size(); ++piece) {
+        if (!joined_.is_joined[piece] && join(piece)) has_grown = true;
+      }
+    }
+    return joined_;
+  }
+
+ private:
+  void add_place(std::size_t keyframe) {
+    const Submap submap = make_submap(track_, T_map_sensor_, keyframe, closing_.submap_half_width);
+    places_[track_.pieces[keyframe]].push_back(
+        {keyframe, place_signature(submap.fine, T_map_sensor_[keyframe].theta_rad)});
+  }
+
+  bool join(std::size_t piece) {
+    std::vector<Proposal> proposals = propose(piece);
+    run_in_parallel(proposals.size(), num_threads_, [&](std::size_t i) { verify(proposals[i]); });
+    std::erase_if(proposals, [](const Proposal& proposal) { return !proposal.is_verified; });
+    const std::vector<Proposal> agreed = most_agreed(proposals);
+    if (agreed.empty()) return false;
+    joined_.is_joined[piece] = true;
+    joined_.quarter_turns[piece] = agreed.front().quarter_turns;
+    for (const Proposal& proposal : agreed) joined_.joints.push_back(proposal.places);
+    const Pose2 T_map_piece = motion_of(agreed.front());
+    for (std::size_t k = 0; k < track_.size(); ++k) {
+      if (track_.pieces[k] == piece) T_map_sensor_[k] = T_map_piece * T_map_sensor_[k];
+    }
+    return true;
+  }
+
+  [[nodiscard]] std::vector<Proposal> propose(std::size_t piece) const {
+    std::vector<PlaceSignature> known;
+    std::vector<std::size_t> known_keyframes;
+    for (std::size_t other = 0; other < places_.size(); ++other) {
+      if (!joined_.is_joined[other]) continue;
+      for (const Place& place : places_[other]) {
+        known.push_back(place.signature);
+        known_keyframes.push_back(place.keyframe);
+      }
+    }
+    const std::vector<Place>& sought = places_[piece];
+    const std::size_t stride = 1 + sought.size() / (params_.max_num_queries + 1);
+    std::vector<Proposal> proposals;
+    for (std::size_t i = 0; i < sought.size(); i += stride) {
+      for (const std::size_t k :
+           nearest_signatures(sought[i].signature, known, params_.num_similar)) {
+        Proposal proposal;
+        proposal.known = known_keyframes[k];
+        proposal.sought = sought[i].keyframe;
+        proposals.push_back(proposal);
+      }
+    }
+    return proposals;
+  }
+
+  void verify(Proposal& proposal) const {
+    const Scan& known = track_.keyframes[proposal.known]->scan;
+    const Scan& sought = track_.keyframes[proposal.sought]->scan;
+    const MatchResult match = setsquare::match(prepare(known), prepare(sought));
+    if (match.status != MatchStatus::kMatched) return;
+
+    const Pose2& T_map_known = T_map_sensor_[proposal.known];
+    const Pose2& T_map_sought = T_map_sensor_[proposal.sought];
+    const double fused_rad = T_map_sought.theta_rad - T_map_known.theta_rad;
+    const double turn_rad = wrap_to_pi(match.T_reference_current->theta_rad - fused_rad);
+    if (std::abs(wrap_to_period(turn_rad, 0.5 * kPi)) > params_.max_askew_rad) return;
+    proposal.quarter_turns = static_cast<int>(std::lround(turn_rad / (0.5 * kPi)));
+
+    Pose2 expected = *match.T_reference_current;
+    expected.theta_rad = wrap_to_pi(fused_rad + 0.5 * kPi * proposal.quarter_turns);
+    const std::size_t half_width = closing_.submap_half_width;
+    const auto found =
+        match_submaps(make_submap(track_, T_map_sensor_, proposal.known, half_width),
+                      make_submap(track_, T_map_sensor_, proposal.sought, half_width),
+                      {expected, params_.window_m},
+                      closing_.match);
+    if (!found) return;
+    proposal.places = judged_places(proposal.known,
+                                    proposal.sought,
+                                    *found,
+                                    T_map_known.theta_rad,
+                                    closing_.point_sigma_m,
+                                    closing_.verdict);
+    proposal.is_verified = proposal.places.verdict.reason == ClosureReason::kStandsAlone;
+    const Pose2 T_map_found = T_map_known * proposal.places.T_from_to;
+    const Pose2 turn{0.0, 0.0, 0.5 * kPi * proposal.quarter_turns};
+    proposal.offset_m =
+        T_map_found.translation() - turn * Eigen::Vector2d(T_map_sought.translation());
+  }
+
+  [[nodiscard]] static Pose2 motion_of(const Proposal& proposal) {
+    return {proposal.offset_m.x(),
+            proposal.offset_m.y(),
+            wrap_to_pi(0.5 * kPi * proposal.quarter_turns)};
+  }
+
+  [[nodiscard]] bool agree(const Proposal& a, const Proposal& b) const {
+    return (a.quarter_turns - b.quarter_turns) % 4 == 0 &&
+           (a.offset_m - b.offset_m).norm() < params_.agreeing_m;
+  }
+
+  /// The proposals that agree with the one that most places agree with; none where too few do, or
+  /// where another opinion has half as many.
+  [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals) const {
+    const auto num_places = [](const std::vector<Proposal>& list) {
+      std::set<std::size_t> places;
+      for (const Proposal& proposal : list) places.insert(proposal.sought);
+      return places.size();
+    };
+    std::vector<Proposal> best;
+    for (const Proposal& centre : proposals) {
+      std::vector<Proposal> agreeing = {centre};
+      for (const Proposal& other : proposals) {
+        if (&other != &centre && agree(centre, other)) agreeing.push_back(other);
+      }
+      if (num_places(agreeing) > num_places(best)) best = std::move(agreeing);
+    }
+    if (num_places(best) < params_.min_agreeing) return {};
+    std::vector<Proposal> others;
+    for (const Proposal& proposal : proposals) {
+      if (!agree(best.front(), proposal)) others.push_back(proposal);
+    }
+    for (const Proposal& centre : others) {
+      std::vector<Proposal> rivals;
+      for (const Proposal& other : others) {
+        if (agree(centre, other)) rivals.push_back(other);
+      }
+      if (2 * num_places(rivals) >= num_places(best)) return {};
+    }
+    return best;
+  }
+
+  const KeyframeTrack& track_;
+  std::vector<Pose2> T_map_sensor_;
+  const LoopCloserParams& closing_;
+  const PieceJoiningParams& params_;
+  std::size_t num_threads_;
+  std::vector<std::vector<Place>> places_;  ///< By piece.
+  JoinedPieces joined_;
+};
+
+}  // namespace
+
+void PieceJoiningParams::validate() const {
+  if (max_num_queries < 1) throw ParameterError("max_num_queries", "must be at least 1");
+  if (!(window_m > 0.0)) throw ParameterError("window_m", "must be positive");
+  if (min_agreeing < 1) throw ParameterError("min_agreeing", "must be at least 1");
+}
+
+JoinedPieces join_pieces(const KeyframeTrack& track,
+                         std::span<const Pose2> T_map_sensor,
+                         const LoopCloserParams& closing,
+                         const PieceJoiningParams& params,
+                         std::size_t num_threads) {
+  return PieceJoiner(track, T_map_sensor, closing, params, num_threads).join_all();
+}
+
+}  // namespace setsquare

@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "setsquare/slam/keyframe_track.hpp"
+#include "setsquare/slam/loop_closer.hpp"
+
+namespace setsquare {
+
+/// Parameters of join_pieces.
+struct PieceJoiningParams {
+  std::size_t max_num_queries = 40;          ///< Places of a piece that are looked for.
+  std::size_t num_similar = 12;              ///< Places elsewhere that each is compared with.
+  double window_m = 0.5;                     ///< Of the submaps about a match of two scans.
+  double max_askew_rad = rad_from_deg(8.0);  ///< Off a quarter turn, by the fused headings.
+  std::size_t min_agreeing = 3;              ///< Places that must tell the same.
+  double agreeing_m = 0.5;                   ///< How much the same.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// How pieces of track hang together.
+struct JoinedPieces {
+  /// Quarter turns to add to the headings of each piece: walls tell a heading modulo one only.
+  std::vector<int> quarter_turns;
+  std::vector<bool> is_joined;         ///< With the first piece; that one is.
+  std::vector<ComparedPlaces> joints;  ///< Accepted, headings as with the quarter turns added.
+};
+
+/// Finds where pieces of track belong that tracking could not tie to each other.
+///
+/// 1. Places of a piece are compared by their signatures with those of all pieces joined so far.
+/// 2. The most similar are matched by the guess-free matcher; its answer, a quarter turn and a
+///    position, is verified submap against submap.
+/// 3. Where enough places agree upon where the piece lies, and more than upon any other place, it
+///    is joined.
+/// `T_map_sensor`: one a keyframe, right within each piece.
+[[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,
+                                       std::span<const Pose2> T_map_sensor,
+                                       const LoopCloserParams& closing,
+                                       const PieceJoiningParams& params,
+                                       std::size_t num_threads);
+
+}  // namespace setsquare
