@@ -90,7 +90,9 @@ std::vector<ComparedPlaces> LoopCloser::compare(const KeyframeTrack& track,
     const Submap& current = submaps.at(candidates[i].current);
     const Pose2& T_map_from = T_map_sensor[reference.keyframe];
     const Pose2 expected = T_map_from.inverse() * T_map_sensor[current.keyframe];
-    compared[i] = {.from = reference.keyframe, .to = current.keyframe, .T_from_to = expected};
+    compared[i].from = reference.keyframe;
+    compared[i].to = current.keyframe;
+    compared[i].T_from_to = expected;
     const auto match =
         match_submaps(reference, current, {expected, candidates[i].window_m}, params_.match);
     if (!match) return;
