@@ -7,6 +7,7 @@
 #include <string>
 
 #include "apps/setsquare/evaluate.hpp"
+#include "apps/setsquare/evaluate_closures_report.hpp"
 #include "apps/setsquare/evaluate_statistics.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/eval/chain_check.hpp"
@@ -24,24 +25,18 @@ void evaluate_chains(const ChainsOptions& options) {
   const ChainCheckParams params;
   const ChainCheck check = check_chains(read_relations(options.relations_path), params);
   if (options.is_json) {
-    const nlohmann::ordered_json json = {
-        {"num_relations", check.num_relations},
-        {"num_chained", check.num_chained},
-        {"num_off", check.num_off},
-        {"num_off_disputed", check.num_off_disputed},
-        {"num_disputed", check.num_disputed},
-        {"translation_m", json_from(check.translation_m, 1.0)},
-        {"rotation_deg", json_from(check.rotation_rad, deg_from_rad(1.0))}};
+    nlohmann::ordered_json json = json_from(check.verdicts);
+    json["translation_m"] = json_from(check.translation_m, 1.0);
+    json["rotation_deg"] = json_from(check.rotation_rad, deg_from_rad(1.0));
     std::cout << json.dump(2) << "\n";
     return;
   }
-  std::cout << check.num_relations << " relations between stamps " << params.min_time_s
-            << " s and more apart, each foretold by chains of the others:\n"
-            << check.num_chained << " could be, " << check.num_off << " came out off by more than "
-            << params.limits.max_translation_m << " m or "
-            << deg_from_rad(params.limits.max_rotation_rad) << " deg (" << check.num_off_disputed
-            << " of them disputed by a second chain), " << check.num_disputed
-            << " are disputed in all\n"
+  const ClosureCounts& verdicts = check.verdicts;
+  std::cout << verdicts.num_closures << " relations between stamps " << params.min_time_s
+            << " s and more apart, each judged by chains of the others:\n"
+            << verdicts.num_right << " right, " << verdicts.num_wrong << " wrong, "
+            << verdicts.num_borderline << " borderline, " << verdicts.num_disputed << " disputed, "
+            << verdicts.num_unjudged << " out of reach; the chains' errors:\n"
             << table_from(check.translation_m, check.rotation_rad);
 }
 

@@ -132,7 +132,8 @@ void add_evaluate_closures(CLI::App& evaluate) {
       ->transform(CLI::Transformer(kNames, CLI::ignore_case).description(""))
       ->type_name("relations|trajectory");
   add_time_difference_option(*closures, options->max_time_difference_s);
-  closures->add_flag("--list", options->is_list, "List the accepted ones wrong or disputed");
+  closures->add_flag(
+      "--list", options->is_list, "List the accepted ones wrong, borderline or disputed");
   closures->add_flag("--json", options->is_json, "Print JSON");
   closures->footer(
       "A closure is wrong where it is more than 0.3 m or 5 deg off; one of a single axis is "
@@ -141,9 +142,11 @@ void add_evaluate_closures(CLI::App& evaluate) {
       "along\n"
       "the trajectory to a relation's stamp, relations whose noise adds up to less than a third of "
       "those\n"
-      "limits, a short hop to j. A closure that they do not reach is unjudged; one on which two "
-      "chains\n"
-      "without a common relation disagree is disputed.\n"
+      "limits, a short hop to j. A closure that they do not reach is unjudged; one that is nearer "
+      "to the\n"
+      "limits than two sigma of that noise is borderline; one on which two chains without a "
+      "common\n"
+      "relation disagree is disputed.\n"
       "Examples:\n"
       "  setsquare evaluate closures out/closures.tsv intel.relations --list\n"
       "  setsquare evaluate closures out/closures.tsv sim/truth.tum");

@@ -17,18 +17,6 @@ double wrong_share(const ClosureCounts& counts) {
   return static_cast<double>(counts.num_wrong) / static_cast<double>(counts.num_judged());
 }
 
-Json json_from(const ClosureCounts& counts) {
-  Json json = {{"num_closures", counts.num_closures},
-               {"num_judged", counts.num_judged()},
-               {"num_right", counts.num_right},
-               {"num_wrong", counts.num_wrong},
-               {"wrong_share", nullptr},
-               {"num_disputed", counts.num_disputed},
-               {"num_unjudged", counts.num_unjudged}};
-  if (counts.num_judged() > 0) json["wrong_share"] = wrong_share(counts);
-  return json;
-}
-
 std::string row_from(const char* name, const ClosureCounts& counts) {
   char share[32] = "-";
   if (counts.num_judged() > 0) {
@@ -37,13 +25,14 @@ std::string row_from(const char* name, const ClosureCounts& counts) {
   char line[200];
   std::snprintf(line,
                 sizeof line,
-                "%-10s %8zu %9zu %9zu %9zu %12s %9zu %9zu\n",
+                "%-10s %8zu %9zu %9zu %9zu %12s %11zu %9zu %9zu\n",
                 name,
                 counts.num_closures,
                 counts.num_judged(),
                 counts.num_right,
                 counts.num_wrong,
                 share,
+                counts.num_borderline,
                 counts.num_disputed,
                 counts.num_unjudged);
   return line;
@@ -54,7 +43,19 @@ const char* name_of(ClosureAxes axes) {
 }
 
 const char* name_of(ClosureVerdict verdict) {
-  return verdict == ClosureVerdict::kWrong ? "wrong" : "disputed";
+  switch (verdict) {
+    case ClosureVerdict::kRight:
+      return "right";
+    case ClosureVerdict::kWrong:
+      return "wrong";
+    case ClosureVerdict::kBorderline:
+      return "borderline";
+    case ClosureVerdict::kDisputed:
+      return "disputed";
+    case ClosureVerdict::kUnjudged:
+      break;
+  }
+  return "unjudged";
 }
 
 template <typename Use>
@@ -64,12 +65,25 @@ void for_each_doubtful(std::span<const LoopClosure> closures,
   for (std::size_t k = 0; k < closures.size(); ++k) {
     const ClosureVerdict verdict = judgements[k].verdict;
     const bool is_doubtful =
-        verdict == ClosureVerdict::kWrong || verdict == ClosureVerdict::kDisputed;
+        verdict != ClosureVerdict::kRight && verdict != ClosureVerdict::kUnjudged;
     if (closures[k].is_accepted && is_doubtful) use(closures[k], judgements[k]);
   }
 }
 
 }  // namespace
+
+Json json_from(const ClosureCounts& counts) {
+  Json json = {{"num_closures", counts.num_closures},
+               {"num_judged", counts.num_judged()},
+               {"num_right", counts.num_right},
+               {"num_wrong", counts.num_wrong},
+               {"wrong_share", nullptr},
+               {"num_borderline", counts.num_borderline},
+               {"num_disputed", counts.num_disputed},
+               {"num_unjudged", counts.num_unjudged}};
+  if (counts.num_judged() > 0) json["wrong_share"] = wrong_share(counts);
+  return json;
+}
 
 Json json_from(const ClosureSummary& summary) {
   return {{"accepted", json_from(summary.accepted)},
@@ -84,7 +98,8 @@ std::string table_from(const ClosureSummary& summary) {
                 "accepted, wrong and of a weight above %g: %zu\n",
                 kHeavyClosure,
                 summary.num_heavy_wrong);
-  return "closures     number    judged     right     wrong  wrong share  disputed  unjudged\n" +
+  return "closures     number    judged     right     wrong  wrong share  borderline  disputed  "
+         "unjudged\n" +
          row_from("accepted", summary.accepted) + row_from("refused", summary.refused) + line;
 }
 

@@ -10,12 +10,13 @@
 
 namespace setsquare::app {
 
+[[nodiscard]] nlohmann::ordered_json json_from(const ClosureCounts& counts);
 [[nodiscard]] nlohmann::ordered_json json_from(const ClosureSummary& summary);
 
 /// A table for people, with a sentence on what still pulls.
 [[nodiscard]] std::string table_from(const ClosureSummary& summary);
 
-/// The accepted closures that are wrong or disputed, in order, as an array.
+/// The accepted closures that are wrong, borderline or disputed, in order, as an array.
 [[nodiscard]] nlohmann::ordered_json json_of_doubtful(std::span<const LoopClosure> closures,
                                                       std::span<const ClosureJudgement> judgements);
 

@@ -4,15 +4,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
+
+#include "setsquare/eval/chained_reference.hpp"
 
 namespace setsquare {
 namespace {
 
-ClosureError error_of(const ChainedPose& chained, const Relation& relation) {
-  LoopClosure closure;
-  closure.T_i_j = chained.T_i_j;
-  return closure_error(closure, relation.T_reference_current, 0.0);
+/// A relation between two nodes by the chains of the others: none, one or two poses.
+std::vector<ExpectedPose> expected_by_others(const RelationGraph& graph,
+                                             const ChainEnd& reference,
+                                             const ChainEnd& current) {
+  const auto [a, b] = std::minmax(reference.node, current.node);
+  std::vector<JoinedPair> avoided = {{a, b}};
+  const auto first = graph.chain({&reference, 1}, {&current, 1}, avoided);
+  if (!first) return {};
+  avoided.insert(avoided.end(), first->pairs.begin(), first->pairs.end());
+  const auto second = graph.chain({&reference, 1}, {&current, 1}, avoided);
+  if (!second) return {expected_pose(*first)};
+  return {expected_pose(*first), expected_pose(*second)};
 }
 
 }  // namespace
@@ -25,25 +36,16 @@ ChainCheck check_chains(std::span<const Relation> relations, const ChainCheckPar
   for (const Relation& relation : relations) {
     const double seconds = seconds_between(relation.reference_stamp, relation.current_stamp);
     if (std::abs(seconds) < params.min_time_s) continue;
-    ++check.num_relations;
+    LoopClosure closure;
+    closure.T_i_j = relation.T_reference_current;
     const ChainEnd reference = {*graph.find(relation.reference_stamp), {}, {}};
     const ChainEnd current = {*graph.find(relation.current_stamp), {}, {}};
-    const auto [a, b] = std::minmax(reference.node, current.node);
-    std::vector<JoinedPair> avoided = {{a, b}};
-    const auto first = graph.chain({&reference, 1}, {&current, 1}, avoided);
-    if (!first) continue;
-    ++check.num_chained;
-    const ClosureError error = error_of(*first, relation);
-    translation_m.push_back(error.translation_m);
-    rotation_rad.push_back(error.rotation_rad);
-    const bool is_off = !error.is_within(params.limits);
-    avoided.insert(avoided.end(), first->pairs.begin(), first->pairs.end());
-    const auto second = graph.chain({&reference, 1}, {&current, 1}, avoided);
-    const bool is_disputed =
-        second && error_of(*second, relation).is_within(params.limits) == is_off;
-    check.num_off += is_off ? 1 : 0;
-    check.num_disputed += is_disputed ? 1 : 0;
-    check.num_off_disputed += is_off && is_disputed ? 1 : 0;
+    const ClosureJudgement judgement = judge_closure(
+        closure, expected_by_others(graph, reference, current), std::nullopt, params.limits);
+    add_verdict(judgement.verdict, check.verdicts);
+    if (judgement.verdict == ClosureVerdict::kUnjudged) continue;
+    translation_m.push_back(judgement.error.translation_m);
+    rotation_rad.push_back(judgement.error.rotation_rad);
   }
   check.translation_m = error_statistics(translation_m);
   check.rotation_rad = error_statistics(rotation_rad);

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <span>
 
-#include "setsquare/eval/closure_judgement.hpp"
+#include "setsquare/eval/closure_summary.hpp"
 #include "setsquare/eval/error_statistics.hpp"
 #include "setsquare/eval/relation_graph.hpp"
 
@@ -19,12 +19,11 @@ struct ChainCheckParams {
 
 /// How well chains of relations foretell relations that are not in them.
 struct ChainCheck {
-  std::size_t num_relations = 0;     ///< Long enough to be checked.
-  std::size_t num_chained = 0;       ///< That the others chain to.
-  std::size_t num_off = 0;           ///< Off by more than the limits: a right closure judged wrong.
-  std::size_t num_off_disputed = 0;  ///< Of those, disputed by a chain that shares no pair.
-  std::size_t num_disputed = 0;      ///< Disputed in all.
-  ErrorStatistics translation_m;
+  std::size_t num_relations = 0;  ///< Long enough to be checked.
+  /// As closures; unjudged are those that the others do not chain to. A right relation that comes
+  /// out wrong is the judge's fault.
+  ClosureCounts verdicts;
+  ErrorStatistics translation_m;  ///< Of the cheapest chains.
   ErrorStatistics rotation_rad;
 };
 

@@ -23,6 +23,12 @@ void HopParams::validate() const {
   }
 }
 
+ExpectedPose expected_pose(const ChainedPose& chained) {
+  return {chained.T_i_j,
+          std::sqrt(chained.variance.translation_m2),
+          std::sqrt(chained.variance.rotation_rad2)};
+}
+
 ChainedReference::ChainedReference(std::span<const Relation> relations,
                                    const Trajectory& trajectory,
                                    const HopParams& hop_params,
@@ -55,14 +61,14 @@ std::vector<ChainEnd> ChainedReference::ends_near(Timestamp stamp) const {
   return ends;
 }
 
-std::vector<Pose2> ChainedReference::expected(Timestamp stamp_i, Timestamp stamp_j) const {
+std::vector<ExpectedPose> ChainedReference::expected(Timestamp stamp_i, Timestamp stamp_j) const {
   const std::vector<ChainEnd> ends_i = ends_near(stamp_i);
   const std::vector<ChainEnd> ends_j = ends_near(stamp_j);
   const auto first = graph_.chain(ends_i, ends_j);
   if (!first || first->pairs.empty()) return {};
   const auto second = graph_.chain(ends_i, ends_j, first->pairs);
-  if (!second) return {first->T_i_j};
-  return {first->T_i_j, second->T_i_j};
+  if (!second) return {expected_pose(*first)};
+  return {expected_pose(*first), expected_pose(*second)};
 }
 
 }  // namespace setsquare

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "setsquare/eval/closure_judgement.hpp"
 #include "setsquare/eval/pose_index.hpp"
 #include "setsquare/eval/relation_graph.hpp"
 
@@ -22,6 +23,9 @@ struct HopParams {
   void validate() const;
 };
 
+/// What a chain tells, with its noise.
+[[nodiscard]] ExpectedPose expected_pose(const ChainedPose& chained);
+
 /// Where a robot was at one scan, seen from another, as relations tell it that have neither stamp:
 /// from i a short hop along the trajectory to a relation's stamp, a chain of relations, a short hop
 /// to j. Nothing of the trajectory but the two hops enters.
@@ -34,7 +38,7 @@ class ChainedReference {
 
   /// T_i_j by the cheapest chain and by the cheapest of those that share no pair of stamps with it:
   /// none, one or two poses. None, too, where both hops meet at one stamp: no relation told it.
-  [[nodiscard]] std::vector<Pose2> expected(Timestamp stamp_i, Timestamp stamp_j) const;
+  [[nodiscard]] std::vector<ExpectedPose> expected(Timestamp stamp_i, Timestamp stamp_j) const;
 
  private:
   [[nodiscard]] std::vector<ChainEnd> ends_near(Timestamp stamp) const;

@@ -8,21 +8,21 @@
 namespace setsquare {
 namespace {
 
-ClosureJudgement judge(const LoopClosure& closure,
-                       std::span<const Pose2> expected,
-                       std::optional<StampedPose> pose_i,
-                       const ClosureLimits& limits) {
-  const bool has_axis = closure.axes == ClosureAxes::kXY || pose_i;
-  if (expected.empty() || !has_axis) return {};
-  const double heading_i_rad = pose_i ? pose_i->pose.theta_rad : 0.0;
-  const ClosureError error = closure_error(closure, expected.front(), heading_i_rad);
-  const bool is_right = error.is_within(limits);
-  for (const Pose2& T_i_j : expected.subspan(1)) {
-    if (closure_error(closure, T_i_j, heading_i_rad).is_within(limits) != is_right) {
-      return {ClosureVerdict::kDisputed, error};
-    }
+constexpr double kSureSigmas = 2.0;
+
+/// What one expected pose says of an error: right or wrong for sure, or borderline.
+ClosureVerdict verdict_of(const ClosureError& error,
+                          const ExpectedPose& expected,
+                          const ClosureLimits& limits) {
+  const double margin_m = kSureSigmas * expected.translation_sigma_m;
+  const double margin_rad = kSureSigmas * expected.rotation_sigma_rad;
+  if (error.is_within(
+          {limits.max_translation_m - margin_m, limits.max_rotation_rad - margin_rad})) {
+    return ClosureVerdict::kRight;
   }
-  return {is_right ? ClosureVerdict::kRight : ClosureVerdict::kWrong, error};
+  const bool may_be_right =
+      error.is_within({limits.max_translation_m + margin_m, limits.max_rotation_rad + margin_rad});
+  return may_be_right ? ClosureVerdict::kBorderline : ClosureVerdict::kWrong;
 }
 
 }  // namespace
@@ -46,16 +46,41 @@ ClosureError closure_error(const LoopClosure& closure, const Pose2& T_i_j, doubl
   return error;
 }
 
+ClosureJudgement judge_closure(const LoopClosure& closure,
+                               std::span<const ExpectedPose> expected,
+                               std::optional<double> heading_i_rad,
+                               const ClosureLimits& limits) {
+  const bool has_axis = closure.axes == ClosureAxes::kXY || heading_i_rad;
+  if (expected.empty() || !has_axis) return {};
+  ClosureJudgement judgement{
+      ClosureVerdict::kBorderline,
+      closure_error(closure, expected.front().T_i_j, heading_i_rad.value_or(0.0))};
+  for (const ExpectedPose& pose : expected) {
+    const ClosureError error = closure_error(closure, pose.T_i_j, heading_i_rad.value_or(0.0));
+    const ClosureVerdict verdict = verdict_of(error, pose, limits);
+    if (verdict == ClosureVerdict::kBorderline) continue;
+    const bool is_first_to_tell = judgement.verdict == ClosureVerdict::kBorderline;
+    if (!is_first_to_tell && judgement.verdict != verdict) {
+      judgement.verdict = ClosureVerdict::kDisputed;
+      break;
+    }
+    judgement.verdict = verdict;
+  }
+  return judgement;
+}
+
 std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closures,
                                              const ExpectedPoses& expected,
                                              const PoseIndex& trajectory,
                                              const ClosureLimits& limits) {
   std::vector<ClosureJudgement> judgements;
   for (const LoopClosure& closure : closures) {
-    judgements.push_back(judge(closure,
-                               expected(closure.stamp_i, closure.stamp_j),
-                               trajectory.find(closure.stamp_i),
-                               limits));
+    const auto pose_i = trajectory.find(closure.stamp_i);
+    judgements.push_back(
+        judge_closure(closure,
+                      expected(closure.stamp_i, closure.stamp_j),
+                      pose_i ? std::optional<double>(pose_i->pose.theta_rad) : std::nullopt,
+                      limits));
   }
   return judgements;
 }
@@ -63,11 +88,11 @@ std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closur
 ExpectedPoses expected_from_trajectory(const Trajectory& truth, double max_time_difference_s) {
   const auto tolerance_ns = static_cast<std::int64_t>(std::llround(1e9 * max_time_difference_s));
   return [poses = PoseIndex(truth), tolerance_ns](Timestamp stamp_i,
-                                                  Timestamp stamp_j) -> std::vector<Pose2> {
+                                                  Timestamp stamp_j) -> std::vector<ExpectedPose> {
     const auto i = poses.find(stamp_i, tolerance_ns);
     const auto j = poses.find(stamp_j, tolerance_ns);
     if (!i || !j) return {};
-    return {i->pose.inverse() * j->pose};
+    return {{i->pose.inverse() * j->pose}};
   };
 }
 

@@ -38,8 +38,17 @@ struct ClosureError {
 enum class ClosureVerdict {
   kRight,
   kWrong,
-  kDisputed,  ///< Two independent poses of the reference disagree whether it is right.
-  kUnjudged,  ///< The reference does not tell.
+  kBorderline,  ///< Nearer to the limits than the reference's own noise (two sigma).
+  kDisputed,    ///< Two independent poses of the reference disagree whether it is right.
+  kUnjudged,    ///< The reference does not tell.
+};
+
+/// T_i_j as a reference tells it, and how well it knows: one sigma of its position, along either
+/// axis, and of its heading.
+struct ExpectedPose {
+  Pose2 T_i_j;
+  double translation_sigma_m = 0.0;
+  double rotation_sigma_rad = 0.0;
 };
 
 struct ClosureJudgement {
@@ -47,9 +56,17 @@ struct ClosureJudgement {
   ClosureError error;  ///< Against the first of the expected poses; 0 where unjudged.
 };
 
-/// T_i_j as a reference tells it, given stamp_i and stamp_j: none, one pose or several independent
-/// ones, the most certain first.
-using ExpectedPoses = std::function<std::vector<Pose2>(Timestamp, Timestamp)>;
+/// The pose of stamp_j seen from stamp_i: none, one or several independent ones, the most certain
+/// first.
+using ExpectedPoses = std::function<std::vector<ExpectedPose>(Timestamp, Timestamp)>;
+
+/// Right or wrong where one of the expected poses says so by two sigma and none says the contrary;
+/// else borderline or disputed. `heading_i_rad` as in closure_error(); where it is missing, a
+/// closure of a single axis is unjudged.
+[[nodiscard]] ClosureJudgement judge_closure(const LoopClosure& closure,
+                                             std::span<const ExpectedPose> expected,
+                                             std::optional<double> heading_i_rad,
+                                             const ClosureLimits& limits = {});
 
 /// Judges each closure. `trajectory` gives the headings in the map that closures of a single axis
 /// need; without its heading such a closure stays unjudged.

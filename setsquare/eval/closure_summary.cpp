@@ -5,9 +5,8 @@
 #include <cassert>
 
 namespace setsquare {
-namespace {
 
-void count(ClosureVerdict verdict, ClosureCounts& counts) {
+void add_verdict(ClosureVerdict verdict, ClosureCounts& counts) {
   ++counts.num_closures;
   switch (verdict) {
     case ClosureVerdict::kRight:
@@ -15,6 +14,9 @@ void count(ClosureVerdict verdict, ClosureCounts& counts) {
       break;
     case ClosureVerdict::kWrong:
       ++counts.num_wrong;
+      break;
+    case ClosureVerdict::kBorderline:
+      ++counts.num_borderline;
       break;
     case ClosureVerdict::kDisputed:
       ++counts.num_disputed;
@@ -25,8 +27,6 @@ void count(ClosureVerdict verdict, ClosureCounts& counts) {
   }
 }
 
-}  // namespace
-
 ClosureSummary summarise_closures(std::span<const LoopClosure> closures,
                                   std::span<const ClosureJudgement> judgements) {
   assert(closures.size() == judgements.size());
@@ -34,7 +34,7 @@ ClosureSummary summarise_closures(std::span<const LoopClosure> closures,
   for (std::size_t k = 0; k < closures.size(); ++k) {
     const bool is_accepted = closures[k].is_accepted;
     const ClosureVerdict verdict = judgements[k].verdict;
-    count(verdict, is_accepted ? summary.accepted : summary.refused);
+    add_verdict(verdict, is_accepted ? summary.accepted : summary.refused);
     const bool is_heavy = closures[k].weight > kHeavyClosure;
     if (is_accepted && is_heavy && verdict == ClosureVerdict::kWrong) ++summary.num_heavy_wrong;
   }

@@ -14,11 +14,15 @@ struct ClosureCounts {
   std::size_t num_closures = 0;
   std::size_t num_right = 0;
   std::size_t num_wrong = 0;
+  std::size_t num_borderline = 0;
   std::size_t num_disputed = 0;
   std::size_t num_unjudged = 0;
 
   [[nodiscard]] std::size_t num_judged() const { return num_right + num_wrong; }
 };
+
+/// Counts one more closure.
+void add_verdict(ClosureVerdict verdict, ClosureCounts& counts);
 
 struct ClosureSummary {
   ClosureCounts accepted;

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "setsquare/eval/closure_summary.hpp"
@@ -21,14 +22,23 @@ LoopClosure closure_of(const Pose2& T_i_j, ClosureAxes axes = ClosureAxes::kXY) 
   return {stamp_at(1), stamp_at(2), T_i_j, axes, true, 1.0, "a test"};
 }
 
-ExpectedPoses always(const std::vector<Pose2>& poses) {
+/// Poses known exactly.
+std::vector<ExpectedPose> exact(const std::vector<Pose2>& poses) {
+  std::vector<ExpectedPose> expected;
+  for (const Pose2& pose : poses) expected.push_back({pose});
+  return expected;
+}
+
+ExpectedPoses always(const std::vector<ExpectedPose>& poses) {
   return [poses](Timestamp, Timestamp) { return poses; };
 }
 
 ClosureVerdict verdict_of(const LoopClosure& closure,
                           const std::vector<Pose2>& expected,
                           const Trajectory& trajectory = {}) {
-  return judge_closures({&closure, 1}, always(expected), PoseIndex(trajectory)).front().verdict;
+  return judge_closures({&closure, 1}, always(exact(expected)), PoseIndex(trajectory))
+      .front()
+      .verdict;
 }
 
 TEST(ClosureError, DistanceOfThePositionsAndWrappedRotation) {
@@ -71,6 +81,35 @@ TEST(ClosureVerdict, WhereTheReferenceIsSilentOrDividedThereIsNone) {
   EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureVerdict::kDisputed);
   EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}}), ClosureVerdict::kDisputed);
   EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureVerdict::kWrong);
+}
+
+// One sigma of 0.04 m and 0.5 deg: sure below 0.22 m and 4 deg, sure above 0.38 m or 6 deg.
+TEST(ClosureVerdict, NearTheLimitsTheNoiseOfTheReferenceDecidesNothing) {
+  const auto verdict = [](const Pose2& T_i_j) {
+    const ExpectedPose zero = {{}, 0.04, rad_from_deg(0.5)};
+    return judge_closure(closure_of(T_i_j), {&zero, 1}, std::nullopt).verdict;
+  };
+  EXPECT_EQ(verdict({0.21, 0, 0}), ClosureVerdict::kRight);
+  EXPECT_EQ(verdict({0.23, 0, 0}), ClosureVerdict::kBorderline);
+  EXPECT_EQ(verdict({0.37, 0, 0}), ClosureVerdict::kBorderline);
+  EXPECT_EQ(verdict({0.39, 0, 0}), ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(3.9)}), ClosureVerdict::kRight);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(-4.1)}), ClosureVerdict::kBorderline);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(6.1)}), ClosureVerdict::kWrong);
+}
+
+TEST(ClosureVerdict, WhoIsNotSureLeavesItToTheOther) {
+  const LoopClosure closure = closure_of({0.3, 0, 0});
+  const ExpectedPose unsure = {{}, 0.1, 0.0};
+  const ExpectedPose surely_right = {{0.2, 0, 0}, 0.05, 0.0};
+  const ExpectedPose surely_wrong = {{-0.2, 0, 0}, 0.05, 0.0};
+  const auto verdict = [&closure](const std::vector<ExpectedPose>& expected) {
+    return judge_closure(closure, expected, std::nullopt).verdict;
+  };
+  EXPECT_EQ(verdict({unsure, unsure}), ClosureVerdict::kBorderline);
+  EXPECT_EQ(verdict({unsure, surely_right}), ClosureVerdict::kRight);
+  EXPECT_EQ(verdict({surely_wrong, unsure}), ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict({surely_wrong, surely_right}), ClosureVerdict::kDisputed);
 }
 
 // Metres off along a corridor that runs along the map's y are no fault of a closure that binds x.
@@ -125,8 +164,13 @@ TEST(ClosureSummary, CountsAcceptedAndRefusedApart) {
                                              judged(true, 1.0),
                                              judged(false, 0.9),
                                              judged(false, 0.0)};
-  const std::vector<ClosureJudgement> judgements = {
-      {kRight, {}}, {kWrong, {}}, {kWrong, {}}, {kDisputed, {}}, {}, {kWrong, {}}, {kRight, {}}};
+  const std::vector<ClosureJudgement> judgements = {{kRight, {}},
+                                                    {kWrong, {}},
+                                                    {kWrong, {}},
+                                                    {kDisputed, {}},
+                                                    {},
+                                                    {kWrong, {}},
+                                                    {kBorderline, {}}};
   const ClosureSummary summary = summarise_closures(closures, judgements);
   EXPECT_EQ(summary.accepted.num_closures, 5U);
   EXPECT_EQ(summary.accepted.num_judged(), 3U);
@@ -135,7 +179,8 @@ TEST(ClosureSummary, CountsAcceptedAndRefusedApart) {
   EXPECT_EQ(summary.accepted.num_unjudged, 1U);
   EXPECT_EQ(summary.refused.num_closures, 2U);
   EXPECT_EQ(summary.refused.num_wrong, 1U);
-  EXPECT_EQ(summary.refused.num_right, 1U);
+  EXPECT_EQ(summary.refused.num_borderline, 1U);
+  EXPECT_EQ(summary.refused.num_judged(), 1U);
   EXPECT_EQ(summary.num_heavy_wrong, 1U) << "0.3 itself is not above 0.3, refused ones do not pull";
 }
 
