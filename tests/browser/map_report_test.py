@@ -44,6 +44,17 @@ class RoomTest(MapReportTest):
         self.assertTrue(bar)
         self.assertAlmostEqual(length_m, 2, delta=0.08)
 
+    def test_walls_show_however_small_the_map_is(self):
+        page.browser.set_size(420, 620)
+        page.browser.settle()
+        page.browser.evaluate("setsquare.map.view.zoom(0.01)")
+        picture = picture_of("#map")
+        self.assertGreater(page.browser.evaluate("setsquare.map.image.levels.length"), 1)
+        for x, y in ((2, 0), (8, 3), (6, 5), (0, 3)):
+            column, row = on_map(x, y)
+            block = [picture.at(column + a, row + b) for a in range(-1, 2) for b in range(-1, 2)]
+            self.assertLess(min(distance(pixel, color("wall")) for pixel in block), 130, (x, y))
+
     def test_track_has_the_colours_of_time_or_of_confidence(self):
         places = [on_map(*page.browser.evaluate(f"[setsquare.report.poses.x[{k}], setsquare.report.poses.y[{k}]]"))
                   for k in (20, 60, 100, 228)]
