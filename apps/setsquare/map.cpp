@@ -10,15 +10,14 @@
 #include <string>
 
 #include "apps/setsquare/log_options.hpp"
-#include "apps/setsquare/map_image.hpp"
+#include "apps/setsquare/map_outputs.hpp"
 #include "apps/setsquare/map_report.hpp"
 #include "apps/setsquare/map_run.hpp"
-#include "apps/setsquare/output_directory.hpp"
+#include "apps/setsquare/map_timing.hpp"
+#include "apps/setsquare/output_set.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 #include "setsquare/io/open_log.hpp"
-#include "setsquare/io/trajectory_tum.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -29,13 +28,13 @@ std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
   return count;
 }
 
-void tell(const MapOptions& options, const MapRun& run, double mapping_s, double picture_s) {
+void tell(const MapOptions& options, const MapRun& run, double mapping_s, double outputs_s) {
   const std::size_t num_scans = run.track.scans.size();
   char line[300];
   std::snprintf(line,
                 sizeof line,
                 "%zu scans, %zu keyframes, %.0f m travelled; degenerate %zu, recovered %zu, lost "
-                "%zu\nmapped in %.2f s (%.0f us a scan, reading included), picture in %.2f s\n",
+                "%zu\nmapped in %.2f s (%.0f us a scan, reading included), outputs in %.2f s\n",
                 num_scans,
                 run.track.keyframes.size(),
                 path_length_m(run.track),
@@ -44,8 +43,9 @@ void tell(const MapOptions& options, const MapRun& run, double mapping_s, double
                 num_scans_of(run, TrackStatus::kLost),
                 mapping_s,
                 1e6 * mapping_s / static_cast<double>(num_scans),
-                picture_s);
-  std::cout << line << "written: " << options.output_path << "/trajectory.tum, map.png, run.json\n";
+                outputs_s);
+  std::cout << line << "written: " << options.output_path << "/map.png, map.pgm, map.yaml, "
+            << "trajectory.tum and more: docs/formats.md\n";
 }
 
 void map_log(const MapOptions& options) {
@@ -53,20 +53,19 @@ void map_log(const MapOptions& options) {
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
+  StageClock clock;
+  clock.begin("mapping");
   const auto start = Clock::now();
   LogOptions log_options = options.log;
   log_options.scans_only = true;
   const auto reader = open_log(options.log_path, log_options);
-  const OutputDirectory directory(options.output_path);
+  OutputSet outputs(options.output_path, map_output_names());
   const MapRun run = run_map(*reader, options);
   const double mapping_s = seconds_since(start);
 
-  const auto picture_start = Clock::now();
-  write_trajectory_tum(directory.file("trajectory.tum"),
-                       trajectory_from(run.track, options.is_of_sensor));
-  save_map_image(run, directory.file("map.png"));
-  save_file(directory.file("run.json"), run_json(options, run));
-  tell(options, run, mapping_s, seconds_since(picture_start));
+  const auto outputs_start = Clock::now();
+  write_map_outputs(outputs, options, run, clock);
+  tell(options, run, mapping_s, seconds_since(outputs_start));
   tell_problems(options.log_path, run.problems);
 }
 
@@ -84,7 +83,9 @@ void add_map(CLI::App& application) {
   add_frame_option(*map, options->is_of_sensor);
   add_log_options(*map, options->log);
   map->footer(
-      "Writes trajectory.tum (one pose a scan), map.png and run.json.\n"
+      "Writes trajectory.tum (one pose a scan), map.pgm and map.yaml (for nav2), map.png (for\n"
+      "people), graph.g2o, closures.tsv, run.json and timing.json: all of them at the end, or "
+      "none.\n"
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
       "  setsquare map intel.clf -o out --no-odometry");

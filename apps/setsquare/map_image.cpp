@@ -26,24 +26,49 @@ TrackCondition condition_from(TrackStatus status) {
   return TrackCondition::kTracked;
 }
 
-}  // namespace
-
-void save_map_image(const MapRun& run, const std::string& path) {
+std::vector<PlacedScan> placed_scans(const MapRun& run) {
   std::vector<PlacedScan> placed;
   placed.reserve(run.picture_scans.size());
   for (const PictureScan& kept : run.picture_scans) {
     const MappedScan& mapped = run.track.scans[kept.index];
-    // A lost scan would smear walls where nobody knows it to be.
     if (mapped.status == TrackStatus::kLost) continue;
     placed.push_back({&kept.scan, mapped.T_map_sensor});
   }
+  return placed;
+}
+
+}  // namespace
+
+OccupancyGrid map_grid(const MapRun& run, int num_threads) {
+  return grid_from_scans(placed_scans(run), 0.0, {.num_threads = num_threads});
+}
+
+OccupancyGrid upright_map_grid(const MapRun& run, int num_threads) {
+  const std::vector<PlacedScan> placed = placed_scans(run);
+  return grid_from_scans(placed, building_heading_rad(placed), {.num_threads = num_threads});
+}
+
+std::vector<LoopClosure> closures_of(const MappedTrack& track) {
+  std::vector<LoopClosure> closures;
+  closures.reserve(track.closures.size());
+  for (const MappedClosure& mapped : track.closures) closures.push_back(mapped.closure);
+  return closures;
+}
+
+Image map_image(const MapRun& run, const OccupancyGrid& grid) {
   std::vector<TrackCondition> conditions;
   conditions.reserve(run.track.scans.size());
   for (const MappedScan& mapped : run.track.scans) {
     conditions.push_back(condition_from(mapped.status));
   }
-  const OccupancyGrid grid = grid_from_scans(placed, building_heading_rad(placed));
-  save_png(map_picture(grid, trajectory_from(run.track, false), conditions), path);
+  const std::vector<LoopClosure> closures = closures_of(run.track);
+  const Trajectory trajectory = trajectory_from(run.track, false);
+  return layered_map_picture(
+      grid, {.T_map_base = trajectory, .conditions = conditions, .closures = closures});
+}
+
+void save_map_image(const MapRun& run, const std::string& path) {
+  save_png(map_image(run, upright_map_grid(run)), path);
 }
 
 }  // namespace setsquare::app

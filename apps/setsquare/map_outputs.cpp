@@ -2,11 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map_outputs.hpp"
 
+#include "apps/setsquare/map_image.hpp"
+#include "apps/setsquare/map_report.hpp"
 #include "setsquare/drawing/png.hpp"
+#include "setsquare/io/closures_tsv.hpp"
 #include "setsquare/io/map_pgm_yaml.hpp"
+#include "setsquare/io/pose_graph_g2o.hpp"
+#include "setsquare/io/trajectory_tum.hpp"
 
 namespace setsquare::app {
-
 std::vector<std::string> map_output_names() {
   return {"trajectory.tum",
           "map.pgm",
@@ -25,8 +29,33 @@ void add_map_files(OutputSet& outputs, const OccupancyGrid& grid) {
   outputs.add("map.yaml", files.yaml);
 }
 
-void add_map_picture(OutputSet& outputs, const Image& picture) {
-  outputs.add("map.png", png_from_image(picture));
+void write_map_outputs(OutputSet& outputs,
+                       const MapOptions& options,
+                       const MapRun& run,
+                       StageClock& clock,
+                       int num_threads) {
+  clock.begin("grid");
+  const OccupancyGrid grid = map_grid(run, num_threads);
+  add_map_files(outputs, grid);
+  clock.begin("picture");
+  const bool is_upright = options.preset == Preset::kDefault;
+  outputs.add(
+      "map.png",
+      png_from_image(map_image(run, is_upright ? grid : upright_map_grid(run, num_threads))));
+  clock.begin("tables");
+  outputs.add("trajectory.tum",
+              tum_from_trajectory(trajectory_from(run.track, options.is_of_sensor)));
+  if (!run.track.graph.T_map_node.empty()) {
+    outputs.add("graph.g2o", g2o_from_pose_graph(run.track.graph));
+    outputs.add("closures.tsv", tsv_from_closures(closures_of(run.track)));
+  }
+  outputs.add("run.json", run_json(options, run));
+  clock.end();
+  outputs.add("timing.json",
+              timing_json({.stages = clock.stages(),
+                           .num_scans = run.track.scans.size(),
+                           .num_threads = num_threads}));
+  outputs.commit();
 }
 
 }  // namespace setsquare::app

@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "apps/setsquare/map_run.hpp"
+#include "apps/setsquare/map_timing.hpp"
 #include "apps/setsquare/output_set.hpp"
-#include "setsquare/drawing/image.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 
 namespace setsquare::app {
@@ -18,7 +19,13 @@ namespace setsquare::app {
 /// Adds map.pgm and map.yaml. Throws FileError; ParameterError where the grid is turned.
 void add_map_files(OutputSet& outputs, const OccupancyGrid& grid);
 
-/// Adds map.png. Throws FileError.
-void add_map_picture(OutputSet& outputs, const Image& picture);
+/// Makes and adds everything that a run leaves, but for report.html, which may be added before, and
+/// commits the set. `clock` has the stages until now; what is made here becomes stages of it, and
+/// all go into timing.json. Throws FileError; nothing has changed then.
+void write_map_outputs(OutputSet& outputs,
+                       const MapOptions& options,
+                       const MapRun& run,
+                       StageClock& clock,
+                       int num_threads = 1);
 
 }  // namespace setsquare::app
