@@ -18,6 +18,8 @@ namespace {
 constexpr double kMinRevisitWeight = 0.5;
 /// Tracked motion is made of the scans that registration compares again.
 constexpr double kTrackedMotionWeight = 0.05;
+/// Of the rotation between two pieces that were joined, as matches of scans tell it.
+constexpr double kJointSigma_rad = rad_from_deg(3.0);
 
 /// What the walls said of the headings, as measurements in the map frame.
 std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
@@ -28,6 +30,22 @@ std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headin
         {k, wrap_to_pi(headings.measured_heading_rad[k]), headings.measured_information[k]});
   }
   return measurements;
+}
+
+/// The evidence with what the joints say of the headings: pieces that were joined are turned as a
+/// whole, and the rotation from one to the next is known again.
+std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evidence,
+                                                const KeyframeTrack& track,
+                                                const JoinedPieces& joined) {
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const std::size_t piece = track.pieces[k];
+    evidence[k].tracked_heading_rad += joined.turn_rad[piece];
+    const bool is_begin = k > 0 && track.pieces[k - 1] != piece;
+    if (is_begin && joined.is_joined[piece] && joined.is_joined[piece - 1]) {
+      evidence[k].step_sigma_rad = kJointSigma_rad;
+    }
+  }
+  return evidence;
 }
 
 /// The graph that registration may rely on beside its own comparisons: the tracked motion, made of
@@ -140,11 +158,7 @@ LoopCloser Mapper::close_across_pieces(FusedHeadings& headings, JoinedPieces& jo
   const PoseGraph graph = pose_graph_of(track_, headings.heading_rad);
   joined =
       join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
-  for (std::size_t k = 0; k < track_.size(); ++k) {
-    const double turn_rad = 0.5 * kPi * joined.quarter_turns[track_.pieces[k]];
-    headings.heading_rad[k] += turn_rad;
-    headings.measured_heading_rad[k] += turn_rad;
-  }
+  headings = fuse_headings(evidence_of_joined(evidence_, track_, joined), params_.heading);
   LoopCloser closer(params_.closing);
   closer.add_joints(joined.joints);
   for (std::size_t end = 0; end < track_.size();) {
@@ -157,10 +171,10 @@ LoopCloser Mapper::close_across_pieces(FusedHeadings& headings, JoinedPieces& jo
 MappedTrack Mapper::finish() const {
   MappedTrack mapped;
   mapped.headings = fuse_headings(evidence_, params_.heading);
-  if (track_.size() == 0) return assemble(std::move(mapped), closer_, {}, {{}, {true}, {}});
+  if (track_.size() == 0) return assemble(std::move(mapped), closer_, {}, {});
   const std::vector<double>& headings_rad = mapped.headings.heading_rad;
   LoopCloser closer = closer_;
-  JoinedPieces joined{{0}, {true}, {}};
+  JoinedPieces joined{.turn_rad = {0.0}, .is_joined = {true}, .joints = {}};
   if (track_.pieces.back() > 0) {
     closer = close_across_pieces(mapped.headings, joined);
   } else {

@@ -25,8 +25,7 @@ struct Proposal {
   std::size_t known = 0;   ///< Keyframe of a joined piece.
   std::size_t sought = 0;  ///< Keyframe of the piece that is sought.
   bool is_verified = false;
-  int quarter_turns = 0;
-  Eigen::Vector2d offset_m = Eigen::Vector2d::Zero();  ///< Of the piece, after it has turned.
+  Pose2 T_map_piece;  ///< How the whole piece would move.
   ComparedPlaces places;
 };
 
@@ -44,7 +43,7 @@ class PieceJoiner {
         num_threads_(num_threads) {
     const std::size_t num_pieces = track.pieces.empty() ? 0 : track.pieces.back() + 1;
     places_.resize(num_pieces);
-    joined_.quarter_turns.assign(num_pieces, 0);
+    joined_.turn_rad.assign(num_pieces, 0.0);
     joined_.is_joined.assign(num_pieces, false);
     for (std::size_t k = 0; k < track.size(); k += closing.station_spacing) add_place(k);
   }
@@ -80,13 +79,27 @@ class PieceJoiner {
     const std::vector<Proposal> agreed = most_agreed(proposals);
     if (agreed.empty()) return false;
     joined_.is_joined[piece] = true;
-    joined_.quarter_turns[piece] = agreed.front().quarter_turns;
+    joined_.turn_rad[piece] = tracked_turn_rad(agreed);
     for (const Proposal& proposal : agreed) joined_.joints.push_back(proposal.places);
-    const Pose2 T_map_piece = motion_of(agreed.front());
     for (std::size_t k = 0; k < track_.size(); ++k) {
-      if (track_.pieces[k] == piece) T_map_sensor_[k] = T_map_piece * T_map_sensor_[k];
+      if (track_.pieces[k] != piece) continue;
+      T_map_sensor_[k] = agreed.front().T_map_piece * T_map_sensor_[k];
     }
     return true;
+  }
+
+  /// The middle one of what the joints say of the piece's headings, as tracked.
+  [[nodiscard]] double tracked_turn_rad(const std::vector<Proposal>& joints) const {
+    const auto turn_by = [&](const Proposal& joint) {
+      return T_map_sensor_[joint.known].theta_rad + joint.places.T_from_to.theta_rad -
+             track_.keyframes[joint.sought]->T_odom_sensor.theta_rad;
+    };
+    const double first_rad = turn_by(joints.front());
+    std::vector<double> off_rad;
+    for (const Proposal& joint : joints) off_rad.push_back(wrap_to_pi(turn_by(joint) - first_rad));
+    const auto middle = off_rad.begin() + static_cast<std::ptrdiff_t>(off_rad.size() / 2);
+    std::nth_element(off_rad.begin(), middle, off_rad.end());
+    return wrap_to_pi(first_rad + *middle);
   }
 
   [[nodiscard]] std::vector<Proposal> propose(std::size_t piece) const {
@@ -120,22 +133,14 @@ class PieceJoiner {
     const MatchResult match = setsquare::match(prepare(known), prepare(sought));
     if (match.status != MatchStatus::kMatched) return;
 
-    const Pose2& T_map_known = T_map_sensor_[proposal.known];
-    const Pose2& T_map_sought = T_map_sensor_[proposal.sought];
-    const double fused_rad = T_map_sought.theta_rad - T_map_known.theta_rad;
-    const double turn_rad = wrap_to_pi(match.T_reference_current->theta_rad - fused_rad);
-    if (std::abs(wrap_to_period(turn_rad, 0.5 * kPi)) > params_.max_askew_rad) return;
-    proposal.quarter_turns = static_cast<int>(std::lround(turn_rad / (0.5 * kPi)));
-
-    Pose2 expected = *match.T_reference_current;
-    expected.theta_rad = wrap_to_pi(fused_rad + 0.5 * kPi * proposal.quarter_turns);
     const std::size_t half_width = closing_.submap_half_width;
     const auto found =
         match_submaps(make_submap(track_, T_map_sensor_, proposal.known, half_width),
                       make_submap(track_, T_map_sensor_, proposal.sought, half_width),
-                      {expected, params_.window_m},
+                      {*match.T_reference_current, params_.window_m},
                       closing_.match);
     if (!found) return;
+    const Pose2& T_map_known = T_map_sensor_[proposal.known];
     proposal.places = judged_places(proposal.known,
                                     proposal.sought,
                                     *found,
@@ -143,21 +148,19 @@ class PieceJoiner {
                                     closing_.point_sigma_m,
                                     closing_.verdict);
     proposal.is_verified = proposal.places.verdict.reason == ClosureReason::kStandsAlone;
-    const Pose2 T_map_found = T_map_known * proposal.places.T_from_to;
-    const Pose2 turn{0.0, 0.0, 0.5 * kPi * proposal.quarter_turns};
-    proposal.offset_m =
-        T_map_found.translation() - turn * Eigen::Vector2d(T_map_sought.translation());
+    proposal.T_map_piece =
+        T_map_known * proposal.places.T_from_to * T_map_sensor_[proposal.sought].inverse();
   }
 
-  [[nodiscard]] static Pose2 motion_of(const Proposal& proposal) {
-    return {proposal.offset_m.x(),
-            proposal.offset_m.y(),
-            wrap_to_pi(0.5 * kPi * proposal.quarter_turns)};
-  }
-
+  /// Whether two proposals put the places that they are about alike.
   [[nodiscard]] bool agree(const Proposal& a, const Proposal& b) const {
-    return (a.quarter_turns - b.quarter_turns) % 4 == 0 &&
-           (a.offset_m - b.offset_m).norm() < params_.agreeing_m;
+    const double turn_rad = wrap_to_pi(a.T_map_piece.theta_rad - b.T_map_piece.theta_rad);
+    if (std::abs(turn_rad) > params_.agreeing_rad) return false;
+    const auto disagreement_m = [&](std::size_t keyframe) {
+      const Eigen::Vector2d p = T_map_sensor_[keyframe].translation();
+      return (a.T_map_piece * p - b.T_map_piece * p).norm();
+    };
+    return std::max(disagreement_m(a.sought), disagreement_m(b.sought)) < params_.agreeing_m;
   }
 
   /// The proposals that agree with the one that most places agree with; none where too few do, or

@@ -13,12 +13,12 @@ namespace setsquare {
 
 /// Parameters of join_pieces.
 struct PieceJoiningParams {
-  std::size_t max_num_queries = 40;          ///< Places of a piece that are looked for.
-  std::size_t num_similar = 12;              ///< Places elsewhere that each is compared with.
-  double window_m = 0.5;                     ///< Of the submaps about a match of two scans.
-  double max_askew_rad = rad_from_deg(8.0);  ///< Off a quarter turn, by the fused headings.
-  std::size_t min_agreeing = 3;              ///< Places that must tell the same.
-  double agreeing_m = 0.5;                   ///< How much the same.
+  std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
+  std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
+  double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
+  std::size_t min_agreeing = 3;             ///< Places that must tell the same ...
+  double agreeing_m = 0.5;                  ///< ... as to where the piece lies ...
+  double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -26,17 +26,18 @@ struct PieceJoiningParams {
 
 /// How pieces of track hang together.
 struct JoinedPieces {
-  /// Quarter turns to add to the headings of each piece: walls tell a heading modulo one only.
-  std::vector<int> quarter_turns;
-  std::vector<bool> is_joined;         ///< With the first piece; that one is.
-  std::vector<ComparedPlaces> joints;  ///< Accepted, headings as with the quarter turns added.
+  /// To add to the tracked headings of each piece. What walls tell is known modulo a quarter turn
+  /// only, and of which frame of the building; matches of scans tell the rest.
+  std::vector<double> turn_rad;
+  std::vector<bool> is_joined;         ///< With the largest piece; that one is.
+  std::vector<ComparedPlaces> joints;  ///< Accepted.
 };
 
 /// Finds where pieces of track belong that tracking could not tie to each other.
 ///
 /// 1. Places of a piece are compared by their signatures with those of all pieces joined so far.
-/// 2. The most similar are matched by the guess-free matcher; its answer, a quarter turn and a
-///    position, is verified submap against submap.
+/// 2. The most similar are matched by the guess-free matcher; its answer is verified submap against
+///    submap.
 /// 3. Where enough places agree upon where the piece lies, and more than upon any other place, it
 ///    is joined.
 /// `T_map_sensor`: one a keyframe, right within each piece.
