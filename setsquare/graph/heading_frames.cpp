@@ -11,15 +11,13 @@
 namespace setsquare {
 namespace {
 
-/// What a keyframe adds to the frame that the trace follows there.
-double support_of(const HeadingEvidence& keyframe,
-                  double offset_rad,
-                  const HeadingTraceParams& params) {
+/// The highest confidence among a keyframe's proposals.
+double belief_of(const HeadingEvidence& keyframe) {
   double belief = 0.0;
   for (const HeadingProposal& proposal : keyframe.proposals) {
     belief = std::max(belief, proposal.confidence);
   }
-  return belief - passing_cost(keyframe, offset_rad, params);
+  return belief;
 }
 
 constexpr auto kNoFrame = static_cast<std::size_t>(-1);
@@ -42,7 +40,8 @@ std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& ke
       pieces.push_back({.begin = k, .first_rad = trace.offset_rad[k]});
     pieces.back().end = k + 1;
     pieces.back().last_rad = trace.offset_rad[k];
-    pieces.back().support += support_of(keyframes[k], trace.offset_rad[k], params);
+    pieces.back().support +=
+        belief_of(keyframes[k]) - passing_cost(keyframes[k], trace.offset_rad[k], params);
   }
   return pieces;
 }
@@ -101,6 +100,15 @@ void rank(std::vector<HeadingFrame>& frames, double period_rad, std::vector<doub
     frame.offset_rad = wrap_to_period(frame.offset_rad - main_rad, period_rad);
   }
   for (double& drift : drift_rad) drift += main_rad;
+}
+
+double explained_share(const std::vector<HeadingEvidence>& keyframes,
+                       const std::vector<HeadingFrame>& frames) {
+  double belief = 0.0;
+  for (const HeadingEvidence& keyframe : keyframes) belief += belief_of(keyframe);
+  double support = 0.0;
+  for (const HeadingFrame& frame : frames) support += frame.support;
+  return belief > 0.0 ? std::min(support / belief, 1.0) : 1.0;
 }
 
 /// Lays pieces end to end.
@@ -163,13 +171,16 @@ HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                                   const HeadingFramesParams& params) {
   const double period_rad = trace_params.period_rad;
   const std::vector<Piece> pieces = pieces_between_changes(keyframes, trace, trace_params);
-  HeadingFrames found{{}, std::vector<double>(keyframes.size()), step_sigmas(keyframes)};
+  HeadingFrames found{.frames = {},
+                      .drift_rad = std::vector<double>(keyframes.size()),
+                      .step_sigma_rad = step_sigmas(keyframes)};
   double most = 0.0;
   for (const Piece& piece : pieces) most = std::max(most, piece.support);
   PieceChain chain(trace, period_rad, std::min(most, params.min_support), params);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     chain.add(pieces[p], is_soon_undone(pieces, p, period_rad, params), found);
   }
+  found.share = explained_share(keyframes, found.frames);
   rank(found.frames, period_rad, found.drift_rad);
   return found;
 }

@@ -37,6 +37,9 @@ struct HeadingFrames {
   std::vector<double> drift_rad;     ///< One a keyframe, unwrapped; rough, to half a bin or so.
   /// Standard deviation of each tracked rotation: as the evidence has it, widened where it slipped.
   std::vector<double> step_sigma_rad;
+  /// Share of the log's proposals, each counted by its confidence, that the trace explains: next
+  /// to 1 among straight walls, a third or less among round ones.
+  double share = 1.0;
 };
 
 /// Tells drift from changes of frame: the trace's pieces between changes are laid end to end, for

@@ -14,6 +14,7 @@ std::vector<HeadingMeasurement> assign_heading_proposals(
     double period_rad,
     double gate_rad,
     double building_sigma_rad) {
+  const double trust = found.share * found.share;
   std::vector<HeadingMeasurement> measurements;
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     for (const HeadingProposal& proposal : keyframes[k].proposals) {
@@ -27,7 +28,7 @@ std::vector<HeadingMeasurement> assign_heading_proposals(
             proposal.heading_rad - keyframes[k].tracked_heading_rad - rough_rad, period_rad);
         if (std::abs(miss_rad) >= least_rad) continue;
         least_rad = std::abs(miss_rad);
-        measurement = {k, f, rough_rad + miss_rad, proposal.confidence / variance_rad2};
+        measurement = {k, f, rough_rad + miss_rad, trust * proposal.confidence / variance_rad2};
       }
       if (measurement.information > 0.0) measurements.push_back(measurement);
     }

@@ -15,12 +15,13 @@ struct HeadingMeasurement {
   std::size_t keyframe = 0;
   std::size_t frame = 0;
   double offset_rad = 0.0;  ///< Measured drift plus frame's offset, unwrapped near the rough drift.
-  double information = 0.0;  ///< In 1/rad^2, confidence included, before robust weights.
+  double information = 0.0;  ///< In 1/rad^2, beliefs included, before robust weights.
 };
 
 /// The proposals that fit a frame to `gate_rad` where the drift is about `found.drift_rad`, in the
 /// order of the keyframes; a proposal goes to the frame that it fits best. `building_sigma_rad` is
-/// added to each proposal's own sigma.
+/// added to each proposal's own sigma. Where much of the log fits no frame, what fits one may do so
+/// by chance: informations are scaled by the square of the share that is explained.
 [[nodiscard]] std::vector<HeadingMeasurement> assign_heading_proposals(
     const std::vector<HeadingEvidence>& keyframes,
     const HeadingFrames& found,

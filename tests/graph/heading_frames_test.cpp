@@ -108,6 +108,14 @@ TEST(HeadingFrames, ASmallJumpThatIsUndoneIsAWallAskew) {
   EXPECT_LT(worst_miss_rad(simulated, found), rad_from_deg(0.6));
 }
 
+TEST(HeadingFrames, TheShareExplainedTellsStraightWallsFromRoundOnes) {
+  auto generator = make_generator();
+  const auto straight = simulate_headings({.num_keyframes = 300, .outlier_share = 0.1}, generator);
+  const auto round = simulate_headings({.num_keyframes = 300, .outlier_share = 1.0}, generator);
+  EXPECT_GT(find(straight).share, 0.85);
+  EXPECT_LT(find(round).share, 0.3);
+}
+
 TEST(HeadingFrames, AShortLogHasAFrameToo) {
   auto generator = make_generator();
   const auto simulated = simulate_headings({.num_keyframes = 3}, generator);
