@@ -29,6 +29,7 @@ struct Piece {
   double first_rad = 0.0;  ///< Offset at its first keyframe ...
   double last_rad = 0.0;   ///< ... and at its last one.
   double support = 0.0;
+  bool tells = false;  ///< Which frame it belongs to.
 };
 
 std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& keyframes,
@@ -44,6 +45,18 @@ std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& ke
         belief_of(keyframes[k]) - passing_cost(keyframes[k], trace.offset_rad[k], params);
   }
   return pieces;
+}
+
+void judge_support(std::vector<Piece>& pieces, const HeadingFramesParams& params) {
+  bool any_tells = false;
+  for (Piece& piece : pieces) {
+    const auto num_keyframes = static_cast<double>(piece.end - piece.begin);
+    piece.tells = piece.support >= std::max(params.min_support, params.min_share * num_keyframes);
+    any_tells = any_tells || piece.tells;
+  }
+  if (any_tells || pieces.empty()) return;
+  const auto has_less = [](const Piece& a, const Piece& b) { return a.support < b.support; };
+  std::max_element(pieces.begin(), pieces.end(), has_less)->tells = true;
 }
 
 /// True of an excursion: after the piece the walls' offset is what it was before. Two slips do not
@@ -114,17 +127,13 @@ double explained_share(const std::vector<HeadingEvidence>& keyframes,
 /// Lays pieces end to end.
 class PieceChain {
  public:
-  /// Pieces of less support than `min_support` tell nothing.
-  PieceChain(const HeadingTrace& trace,
-             double period_rad,
-             double min_support,
-             const HeadingFramesParams& params)
-      : trace_(trace), period_rad_(period_rad), min_support_(min_support), params_(params) {}
+  PieceChain(const HeadingTrace& trace, double period_rad, const HeadingFramesParams& params)
+      : trace_(trace), period_rad_(period_rad), params_(params) {}
 
   void add(const Piece& piece, bool is_undone, HeadingFrames& found) {
     const std::size_t before = std::exchange(frame_, kNoFrame);
     double step_rad = 0.0;
-    if (piece.support >= min_support_) {
+    if (piece.tells) {
       frame_ = frame_at(piece.first_rad - drift_rad_,
                         is_undone ? kNoFrame : before,
                         period_rad_,
@@ -150,7 +159,6 @@ class PieceChain {
  private:
   const HeadingTrace& trace_;
   double period_rad_;
-  double min_support_;
   const HeadingFramesParams& params_;
   std::size_t frame_ = kNoFrame;  ///< Of the piece before, if that told one.
   double drift_rad_ = 0.0;        ///< At the end of the piece before.
@@ -163,6 +171,7 @@ void HeadingFramesParams::validate() const {
   if (!(same_frame_rad > 0.0)) throw ParameterError("same_frame_rad", "must be positive");
   if (!(min_slip_rad > 0.0)) throw ParameterError("min_slip_rad", "must be positive");
   if (!(min_support >= 0.0)) throw ParameterError("min_support", "must not be negative");
+  if (!(min_share >= 0.0)) throw ParameterError("min_share", "must not be negative");
 }
 
 HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
@@ -170,13 +179,12 @@ HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                                   const HeadingTraceParams& trace_params,
                                   const HeadingFramesParams& params) {
   const double period_rad = trace_params.period_rad;
-  const std::vector<Piece> pieces = pieces_between_changes(keyframes, trace, trace_params);
+  std::vector<Piece> pieces = pieces_between_changes(keyframes, trace, trace_params);
+  judge_support(pieces, params);
   HeadingFrames found{.frames = {},
                       .drift_rad = std::vector<double>(keyframes.size()),
                       .step_sigma_rad = step_sigmas(keyframes)};
-  double most = 0.0;
-  for (const Piece& piece : pieces) most = std::max(most, piece.support);
-  PieceChain chain(trace, period_rad, std::min(most, params.min_support), params);
+  PieceChain chain(trace, period_rad, params);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     chain.add(pieces[p], is_soon_undone(pieces, p, period_rad, params), found);
   }

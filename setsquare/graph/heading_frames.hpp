@@ -16,9 +16,11 @@ struct HeadingFramesParams {
   std::size_t max_excursion = 60;             ///< Keyframes until which a jump is undone soon.
   double same_frame_rad = rad_from_deg(4.0);  ///< A frame seen again comes out this near.
   double min_slip_rad = rad_from_deg(2.5);    ///< A smaller jump is noise of the trace.
-  /// Keyframes, each counted by its confidence, that a piece of the trace needs to tell anything;
-  /// where none has as many, those with the most count.
+  /// Keyframes, each counted by its confidence, that a piece of the trace needs to tell anything
+  /// ...
   double min_support = 8.0;
+  /// ... and their share of all its keyframes. Where no piece has both, the best supported tells.
+  double min_share = 0.25;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -116,6 +116,16 @@ TEST(HeadingFrames, TheShareExplainedTellsStraightWallsFromRoundOnes) {
   EXPECT_LT(find(round).share, 0.3);
 }
 
+TEST(HeadingFrames, ChanceMakesNeitherAFrameNorASlip) {
+  auto generator = make_generator();
+  const auto round = simulate_headings({.num_keyframes = 300, .outlier_share = 1.0}, generator);
+  const HeadingFrames found = find(round);
+  EXPECT_EQ(found.frames.size(), 1U);
+  for (std::size_t k = 0; k < 300; ++k) {
+    EXPECT_EQ(found.step_sigma_rad[k], round.evidence[k].step_sigma_rad) << k;
+  }
+}
+
 TEST(HeadingFrames, AShortLogHasAFrameToo) {
   auto generator = make_generator();
   const auto simulated = simulate_headings({.num_keyframes = 3}, generator);
