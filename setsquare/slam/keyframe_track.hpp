@@ -16,8 +16,11 @@ namespace setsquare {
 struct KeyframeTrack {
   std::vector<KeyframePtr> keyframes;
   std::vector<MotionCovariance> motions;  ///< From the keyframe before; the first's is unused.
-  /// Piece of track, from 0: a new one begins where tracking was lost for so long that the motion
-  /// in between means nothing.
+  /// Stretch of track, from 0: a new one begins where tracking was lost for so long that the submap
+  /// began anew.
+  std::vector<std::size_t> stretches;
+  /// Piece of track, from 0: stretches that odometry ties to each other. Between pieces nobody
+  /// knows how the robot moved.
   std::vector<std::size_t> pieces;
 
   [[nodiscard]] std::size_t size() const { return keyframes.size(); }

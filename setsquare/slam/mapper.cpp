@@ -110,8 +110,12 @@ void Mapper::add_keyframe(const Scan& scan) {
   const bool is_first = track_.keyframes.empty();
   track_.keyframes.push_back(tracker_.submap().back());
   track_.motions.push_back(uncertainty_.take());
+  const bool is_restart = tracked.is_restart && !is_first;
+  const bool is_tied = scans_.back().has_odometry;
+  const std::size_t stretch = is_first ? 0 : track_.stretches.back();
   const std::size_t piece = is_first ? 0 : track_.pieces.back();
-  track_.pieces.push_back(piece + (tracked.is_restart && !is_first ? 1 : 0));
+  track_.stretches.push_back(stretch + (is_restart ? 1 : 0));
+  track_.pieces.push_back(piece + (is_restart && !is_tied ? 1 : 0));
 
   HeadingEvidence evidence{.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
                            .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),

@@ -38,10 +38,18 @@ void MotionUncertainty::add(const TrackedPose& tracked, bool has_odometry) {
       add_jump(params_.recovered_sigma_m, params_.recovered_sigma_rad);
       break;
     case TrackStatus::kLost:
-      add_jump(params_.lost_sigma_m, params_.lost_sigma_rad);
+      if (has_odometry) {
+        add_jump(params_.lost_sigma_m_by_odometry, params_.lost_sigma_rad_by_odometry);
+      } else {
+        add_jump(params_.lost_sigma_m, params_.lost_sigma_rad);
+      }
       break;
   }
-  if (tracked.is_restart) add_jump(params_.restart_sigma_m, params_.restart_sigma_rad);
+  if (tracked.is_restart && has_odometry) {
+    add_jump(params_.restart_sigma_m_by_odometry, params_.restart_sigma_rad_by_odometry);
+  } else if (tracked.is_restart) {
+    add_jump(params_.restart_sigma_m, params_.restart_sigma_rad);
+  }
   T_odom_last_ = tracked.T_odom_sensor;
   has_last_ = true;
 }

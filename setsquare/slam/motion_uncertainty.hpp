@@ -26,6 +26,12 @@ struct MotionUncertaintyParams {
   double recovered_sigma_rad = 0.2;
   double restart_sigma_rad = 0.5;
 
+  // The same where odometry bridges the gap: a witness.
+  double lost_sigma_m_by_odometry = 0.03;
+  double restart_sigma_m_by_odometry = 0.3;
+  double lost_sigma_rad_by_odometry = rad_from_deg(0.5);
+  double restart_sigma_rad_by_odometry = rad_from_deg(3.0);
+
   /// Throws ParameterError that names the field.
   void validate() const;
 };

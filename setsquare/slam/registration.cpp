@@ -107,7 +107,7 @@ void register_keyframes(const KeyframeTrack& track,
         if (constraint) compared[k].push_back(*std::move(constraint));
       };
       for (std::size_t before = 1; before <= std::min(k, params.num_before); ++before) {
-        if (track.pieces[k - before] == track.pieces[k]) add(k - before);
+        if (track.stretches[k - before] == track.stretches[k]) add(k - before);
       }
       for (const std::size_t reference : earlier[k]) add(reference);
     });

@@ -48,11 +48,11 @@ Submap make_submap(const KeyframeTrack& track,
                    std::size_t middle,
                    std::size_t half_width) {
   assert(middle < track.size() && T_map_sensor.size() == track.size());
-  const std::size_t piece = track.pieces[middle];
+  const std::size_t stretch = track.stretches[middle];
   std::size_t first = middle;
-  while (first > 0 && middle - first < half_width && track.pieces[first - 1] == piece) --first;
+  while (first > 0 && middle - first < half_width && track.stretches[first - 1] == stretch) --first;
   std::size_t end = middle + 1;
-  while (end < track.size() && end - middle <= half_width && track.pieces[end] == piece) ++end;
+  while (end < track.size() && end - middle <= half_width && track.stretches[end] == stretch) ++end;
 
   Submap submap;
   submap.keyframe = middle;

@@ -23,8 +23,8 @@ struct Submap {
   SurfaceSamples fine;              ///< A few hundred, likewise: the verdict.
 };
 
-/// The keyframe at `middle` and up to `half_width` of its piece of track to either side, placed by
-/// `T_map_sensor` (one a keyframe).
+/// The keyframe at `middle` and up to `half_width` of its stretch of track to either side, placed
+/// by `T_map_sensor` (one a keyframe).
 [[nodiscard]] Submap make_submap(const KeyframeTrack& track,
                                  std::span<const Pose2> T_map_sensor,
                                  std::size_t middle,
