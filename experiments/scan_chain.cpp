@@ -66,8 +66,8 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
     tracked_rad += turn_rad;
     evidence[k].tracked_heading_rad = tracked_rad;
     evidence[k].step_sigma_rad = std::hypot(
-        params.rotation.step_sigma_rad + params.rotation.sigma_per_turn * std::abs(turn_rad),
-        is_turn_known ? 0.0 : params.rotation.lost_sigma_rad);
+        params.motion.step_sigma_rad + params.motion.sigma_per_turn * std::abs(turn_rad),
+        is_turn_known ? 0.0 : params.motion.lost_sigma_rad);
     const SquareDirections directions = square_directions(
         points_from_scan(scans[k].scan), scans[k].scan.bearing_step_rad, params.direction);
     const double confidence =

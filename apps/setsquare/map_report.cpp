@@ -64,7 +64,7 @@ Json parameters(const MapOptions& options) {
           {"min_effective_points", tracker.refinement.min_effective_points},
           {"lost_below_score", tracker.lost_below_score},
           {"building_sigma_deg", rounded(deg_from_rad(params.heading.building_sigma_rad))},
-          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.rotation.step_sigma_rad))}};
+          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.motion.step_sigma_rad))}};
 }
 
 }  // namespace
