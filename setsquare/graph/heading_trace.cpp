@@ -67,6 +67,15 @@ void advance(double cost_per_bin,
   }
 }
 
+/// Whether a move of the walls' offset is a change of frame; else it is drift.
+bool is_change_of_frame(const HeadingEvidence& keyframe,
+                        double move_rad,
+                        const HeadingTraceParams& params) {
+  const double sigma_rad = std::max(keyframe.step_sigma_rad, params.min_step_sigma_rad);
+  if (params.drift_cost * move_rad / sigma_rad > params.change_cost) return true;
+  return move_rad > std::max(params.max_drift_sigmas * sigma_rad, params.min_change_rad);
+}
+
 /// The path back from the cheapest end.
 HeadingTrace follow_back(const std::vector<HeadingEvidence>& keyframes,
                          const HeadingTraceParams& params,
@@ -82,10 +91,9 @@ HeadingTrace follow_back(const std::vector<HeadingEvidence>& keyframes,
     if (k == 0) break;
     const std::size_t before = came_from[k * bins.num + bin];
     const std::ptrdiff_t shift = bins.steps(bin, before);
-    const double drift_cost =
-        bin_cost(keyframes[k], params, bins) * static_cast<double>(std::abs(shift));
-    trace.is_change[k] = drift_cost > params.change_cost;
-    unwrapped_rad += static_cast<double>(shift) * bins.width_rad;
+    const double shift_rad = static_cast<double>(shift) * bins.width_rad;
+    trace.is_change[k] = is_change_of_frame(keyframes[k], std::abs(shift_rad), params);
+    unwrapped_rad += shift_rad;
     bin = before;
   }
   return trace;
@@ -101,6 +109,8 @@ void HeadingTraceParams::validate() const {
   if (!(inlier_rad > 0.0)) throw ParameterError("inlier_rad", "must be positive");
   if (!(drift_cost >= 0.0)) throw ParameterError("drift_cost", "must not be negative");
   if (!(min_step_sigma_rad > 0.0)) throw ParameterError("min_step_sigma_rad", "must be positive");
+  if (!(max_drift_sigmas > 0.0)) throw ParameterError("max_drift_sigmas", "must be positive");
+  if (!(min_change_rad >= 0.0)) throw ParameterError("min_change_rad", "must not be negative");
   if (!(change_cost > 0.0)) throw ParameterError("change_cost", "must be positive");
 }
 

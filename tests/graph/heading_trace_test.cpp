@@ -131,6 +131,16 @@ TEST(HeadingTrace, ALooseRotationMayJump) {
   EXPECT_EQ(num_changes(trace), 0U) << "drift, not another frame";
 }
 
+TEST(HeadingTrace, ALostScanExplainsNoTurnOfTheWalls) {
+  auto generator = make_generator();
+  auto simulated = simulate_headings(
+      {.num_keyframes = 200, .wing_offset_rad = {0.0, rad_from_deg(40.0)}}, generator);
+  simulated.evidence[100].step_sigma_rad = 0.05;
+  const HeadingTrace trace = trace_headings(simulated.evidence);
+  EXPECT_EQ(num_changes(trace), 1U);
+  EXPECT_TRUE(trace.is_change[100]);
+}
+
 TEST(HeadingTrace, AFirmRotationIntoAnotherWingIsAChange) {
   auto generator = make_generator();
   const auto simulated = simulate_headings({.num_keyframes = 200,
