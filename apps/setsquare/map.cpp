@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// `setsquare map LOG -o DIR`: every scan's pose, and a picture of the building.
-#include <chrono>
+// `setsquare map LOG -o DIR`: the map of a building, and every scan's pose.
+#include <algorithm>
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "apps/setsquare/log_options.hpp"
 #include "apps/setsquare/map_outputs.hpp"
@@ -18,6 +19,7 @@
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/open_log.hpp"
+#include "setsquare/slam/track_certainty.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -28,44 +30,82 @@ std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
   return count;
 }
 
-void tell(const MapOptions& options, const MapRun& run, double mapping_s, double outputs_s) {
+double seconds_of(const StageClock& clock) {
+  double sum_s = 0.0;
+  for (const StageTime& stage : clock.stages()) sum_s += stage.wall_s;
+  return sum_s;
+}
+
+/// What the map does not know, a line each.
+void tell_doubts(const MappedTrack& track) {
+  std::size_t num_unjoined = 0;
+  std::size_t num_unjoined_scans = 0;
+  for (const TrackPiece& piece : track.pieces) {
+    num_unjoined += !piece.is_joined;
+    num_unjoined_scans += piece.is_joined ? 0 : piece.num_scans;
+  }
+  if (num_unjoined > 0) {
+    std::cout << "not known where: " << num_unjoined << " pieces of track, " << num_unjoined_scans
+              << " scans, that tracking lost and no place joined; the map leaves them out\n";
+  }
+  double open_m = 0.0;
+  double sigma_m = 0.0;
+  for (const OpenStretch& stretch : open_stretches(track)) {
+    open_m += stretch.way_m;
+    sigma_m = std::max(sigma_m, stretch.length_sigma_m);
+  }
+  if (open_m == 0.0) return;
+  char line[200];
+  std::snprintf(line,
+                sizeof line,
+                "not seen by the walls: %.0f m along bare corridors; the least certain stretch is "
+                "known to %.2f m (sigma)\n",
+                open_m,
+                sigma_m);
+  std::cout << line;
+}
+
+void tell(const MapOptions& options, const MapRun& run, double total_s) {
   const std::size_t num_scans = run.track.scans.size();
+  const ClosureCounts closures = count_closures(run.track);
   char line[300];
   std::snprintf(line,
                 sizeof line,
                 "%zu scans, %zu keyframes, %.0f m travelled; degenerate %zu, recovered %zu, lost "
-                "%zu\nmapped in %.2f s (%.0f us a scan, reading included), outputs in %.2f s\n",
+                "%zu\n%zu loop closures of %zu compared, %zu outvoted\n",
                 num_scans,
                 run.track.keyframes.size(),
                 path_length_m(run.track),
                 num_scans_of(run, TrackStatus::kDegenerate),
                 num_scans_of(run, TrackStatus::kRecovered),
                 num_scans_of(run, TrackStatus::kLost),
-                mapping_s,
-                1e6 * mapping_s / static_cast<double>(num_scans),
-                outputs_s);
-  std::cout << line << "written: " << options.output_path << "/map.png, map.pgm, map.yaml, "
-            << "trajectory.tum and more: docs/formats.md\n";
+                closures.num_accepted,
+                closures.num_compared,
+                closures.num_outvoted);
+  std::cout << line;
+  tell_doubts(run.track);
+  std::snprintf(line,
+                sizeof line,
+                "mapped and written in %.2f s (%.0f us a scan)\n",
+                total_s,
+                1e6 * total_s / static_cast<double>(num_scans));
+  std::cout << line << "written: " << options.output_path
+            << "/report.html, map.png, map.pgm + map.yaml, trajectory.tum, graph.g2o, "
+               "closures.tsv, run.json, timing.json\n";
 }
 
-void map_log(const MapOptions& options) {
-  using Clock = std::chrono::steady_clock;
-  const auto seconds_since = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
+void map_log(MapOptions options) {
+  if (options.num_threads == 0) {
+    options.num_threads = std::max(1U, std::thread::hardware_concurrency());
+  }
   StageClock clock;
-  clock.begin("mapping");
-  const auto start = Clock::now();
   LogOptions log_options = options.log;
   log_options.scans_only = true;
   const auto reader = open_log(options.log_path, log_options);
   OutputSet outputs(options.output_path, map_output_names());
-  const MapRun run = run_map(*reader, options);
-  const double mapping_s = seconds_since(start);
-
-  const auto outputs_start = Clock::now();
+  const MapRun run = run_map(*reader, options, clock);
   write_map_outputs(outputs, options, run, clock);
-  tell(options, run, mapping_s, seconds_since(outputs_start));
+  tell(options, run, seconds_of(clock));
   tell_problems(options.log_path, run.problems);
 }
 
@@ -73,19 +113,24 @@ void map_log(const MapOptions& options) {
 
 void add_map(CLI::App& application) {
   const auto options = std::make_shared<MapOptions>();
-  CLI::App* map = application.add_subcommand("map", "Map a log: every scan's pose and a picture");
+  CLI::App* map =
+      application.add_subcommand("map", "Map a log: the building, and every scan's pose");
   map->add_option("log", options->log_path, "CARMEN log or MRPT rawlog, plain or gzip; - = stdin")
       ->required();
   map->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
       ->required();
   map->add_flag("!--no-odometry", options->uses_odometry, "Use the scans alone");
+  options->num_threads = 0;
+  map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
+      ->default_str("one a processor")
+      ->check(CLI::Range(1, 1024));
   add_preset_option(*map, options->preset);
   add_frame_option(*map, options->is_of_sensor);
   add_log_options(*map, options->log);
   map->footer(
-      "Writes trajectory.tum (one pose a scan), map.pgm and map.yaml (for nav2), map.png (for\n"
-      "people), graph.g2o, closures.tsv, run.json and timing.json: all of them at the end, or "
-      "none.\n"
+      "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
+      "trajectory.tum (one pose a scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
+      "of them at the end, or none. docs/formats.md describes them.\n"
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
       "  setsquare map intel.clf -o out --no-odometry");

@@ -3,6 +3,7 @@
 #include "apps/setsquare/map_outputs.hpp"
 
 #include "apps/setsquare/map_image.hpp"
+#include "apps/setsquare/map_page.hpp"
 #include "apps/setsquare/map_report.hpp"
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/io/closures_tsv.hpp"
@@ -32,8 +33,8 @@ void add_map_files(OutputSet& outputs, const OccupancyGrid& grid) {
 void write_map_outputs(OutputSet& outputs,
                        const MapOptions& options,
                        const MapRun& run,
-                       StageClock& clock,
-                       int num_threads) {
+                       StageClock& clock) {
+  const auto num_threads = static_cast<int>(options.num_threads);
   clock.begin("grid");
   const OccupancyGrid grid = map_grid(run, num_threads);
   add_map_files(outputs, grid);
@@ -48,6 +49,8 @@ void write_map_outputs(OutputSet& outputs,
   if (!run.track.graph.T_map_node.empty()) {
     outputs.add("graph.g2o", g2o_from_pose_graph(run.track.graph));
     outputs.add("closures.tsv", tsv_from_closures(closures_of(run.track)));
+    clock.begin("report");
+    outputs.add("report.html", map_report_html(map_page(options, run, grid)));
   }
   outputs.add("run.json", run_json(options, run));
   clock.end();

@@ -19,13 +19,12 @@ namespace setsquare::app {
 /// Adds map.pgm and map.yaml. Throws FileError; ParameterError where the grid is turned.
 void add_map_files(OutputSet& outputs, const OccupancyGrid& grid);
 
-/// Makes and adds everything that a run leaves, but for report.html, which may be added before, and
-/// commits the set. `clock` has the stages until now; what is made here becomes stages of it, and
-/// all go into timing.json. Throws FileError; nothing has changed then.
+/// Makes and adds everything that a run leaves and commits the set. `clock` has the stages until
+/// now; what is made here becomes stages of it, and all go into timing.json. Throws FileError;
+/// nothing has changed then.
 void write_map_outputs(OutputSet& outputs,
                        const MapOptions& options,
                        const MapRun& run,
-                       StageClock& clock,
-                       int num_threads = 1);
+                       StageClock& clock);
 
 }  // namespace setsquare::app

@@ -8,6 +8,7 @@
 
 #include "setsquare/slam/mapper.hpp"
 #include "setsquare/slam/paper_mapper.hpp"
+#include "setsquare/slam/track_certainty.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -30,6 +31,44 @@ Json json_from(const Stretch& stretch, const MappedTrack& track) {
           {"first_stamp", to_string(track.scans[stretch.first_scan].stamp)},
           {"last_stamp", to_string(track.scans[last].stamp)},
           {"path_m", rounded(stretch.path_m)}};
+}
+
+Json json_from(const TrackPiece& piece, const MappedTrack& track) {
+  return {{"first_scan", piece.first_scan},
+          {"num_scans", piece.num_scans},
+          {"first_stamp", to_string(track.scans[piece.first_scan].stamp)},
+          {"joined", piece.is_joined}};
+}
+
+Json json_from(const OpenStretch& stretch, const MappedTrack& track) {
+  return {{"first_scan", stretch.first_scan},
+          {"num_scans", stretch.num_scans},
+          {"first_stamp", to_string(track.scans[stretch.first_scan].stamp)},
+          {"way_m", rounded(stretch.way_m)},
+          {"open_direction_deg", rounded(deg_from_rad(stretch.direction_rad))},
+          {"with_odometry", stretch.has_odometry},
+          {"length_sigma_m", rounded(stretch.length_sigma_m)}};
+}
+
+Json json_from(const HeadingFrame& frame) {
+  return {{"offset_deg", rounded(deg_from_rad(frame.offset_rad))},
+          {"sigma_deg", rounded(deg_from_rad(frame.sigma_rad))},
+          {"support", rounded(frame.support)}};
+}
+
+Json json_from(const ClosureCounts& counts) {
+  return {{"compared", counts.num_compared},
+          {"accepted", counts.num_accepted},
+          {"one_axis", counts.num_one_axis},
+          {"outvoted", counts.num_outvoted}};
+}
+
+/// An array of what json_from() makes of each.
+template <typename Values, typename... Context>
+Json array_from(const Values& values, const Context&... context) {
+  Json array = Json::array();
+  for (const auto& value : values) array.push_back(json_from(value, context...));
+  return array;
 }
 
 Json counts(const MappedTrack& track) {
@@ -64,7 +103,13 @@ Json parameters(const MapOptions& options) {
           {"min_effective_points", tracker.refinement.min_effective_points},
           {"lost_below_score", tracker.lost_below_score},
           {"building_sigma_deg", rounded(deg_from_rad(params.heading.building_sigma_rad))},
-          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.motion.step_sigma_rad))}};
+          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.motion.step_sigma_rad))},
+          {"station_spacing", params.closing.station_spacing},
+          {"min_closure_score", params.closing.verdict.min_score},
+          {"min_closure_margin", params.closing.verdict.min_margin},
+          {"window_per_metre", params.closing.candidates.window_per_metre},
+          {"max_squared_error", params.robust.max_squared_error},
+          {"registration_rounds", params.registration.num_rounds}};
 }
 
 }  // namespace
@@ -113,11 +158,21 @@ double path_length_m(const MappedTrack& track) {
   return length_m;
 }
 
-std::string run_json(const MapOptions& options, const MapRun& run) {
-  Json found = Json::array();
-  for (const Stretch& stretch : stretches(run.track)) {
-    found.push_back(json_from(stretch, run.track));
+ClosureCounts count_closures(const MappedTrack& track) {
+  constexpr double kOutvotedBelow = 0.5;
+  ClosureCounts counts{.num_compared = track.closures.size()};
+  for (const MappedClosure& mapped : track.closures) {
+    const LoopClosure& closure = mapped.closure;
+    if (!closure.is_accepted) continue;
+    ++counts.num_accepted;
+    counts.num_one_axis += closure.axes != ClosureAxes::kXY;
+    counts.num_outvoted += closure.weight < kOutvotedBelow;
   }
+  return counts;
+}
+
+std::string run_json(const MapOptions& options, const MapRun& run) {
+  const MappedTrack& track = run.track;
   const bool is_paper = options.preset == Preset::kPaper;
   const Json json = {{"format", run.format},
                      {"sensor", run.sensor},
@@ -125,9 +180,13 @@ std::string run_json(const MapOptions& options, const MapRun& run) {
                      {"frame", options.is_of_sensor ? "sensor" : "base"},
                      {"scans_with_odometry", run.num_with_odometry},
                      {"damaged_records", run.problems.num_damaged},
-                     {"num", counts(run.track)},
-                     {"path_m", rounded(path_length_m(run.track))},
-                     {"stretches", found},
+                     {"num", counts(track)},
+                     {"path_m", rounded(path_length_m(track))},
+                     {"closures", json_from(count_closures(track))},
+                     {"building_frames", array_from(track.headings.frames)},
+                     {"pieces", array_from(track.pieces, track)},
+                     {"open_stretches", array_from(open_stretches(track), track)},
+                     {"stretches", array_from(stretches(track), track)},
                      {"parameters", parameters(options)}};
   return json.dump(2) + "\n";
 }

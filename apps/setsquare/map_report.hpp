@@ -21,6 +21,16 @@ struct Stretch {
 /// The stretches of a track, in its order.
 [[nodiscard]] std::vector<Stretch> stretches(const MappedTrack& track);
 
+/// The loop closures of a track, counted.
+struct ClosureCounts {
+  std::size_t num_compared = 0;
+  std::size_t num_accepted = 0;
+  std::size_t num_one_axis = 0;  ///< Of the accepted.
+  std::size_t num_outvoted = 0;  ///< Of the accepted: weight below one half in the final graph.
+};
+
+[[nodiscard]] ClosureCounts count_closures(const MappedTrack& track);
+
 /// "tracked", "degenerate", "recovered", "lost".
 [[nodiscard]] const char* to_string(TrackStatus status);
 

@@ -13,20 +13,20 @@
 namespace setsquare::app {
 namespace {
 
-/// Keeps the scans that moved on since the last one kept, by 0.1 m or 5 deg: whole, in memory, so
-/// that it grows with the way driven (the mapper's own grows by poses only).
+/// Keeps the keyframes, and the scans that moved on since the last one kept, by 0.1 m or 5 deg:
+/// whole, in memory, so that it grows with the way driven.
 class PictureScans {
  public:
-  void add(const Scan& scan, const Pose2& T_odom_sensor, std::size_t index) {
+  void add(const Scan& scan, const TrackedPose& tracked, std::size_t index) {
     constexpr double kSpacing_m = 0.1;
     constexpr double kTurn_rad = rad_from_deg(5.0);
-    if (!kept_.empty()) {
-      const Pose2 moved = T_odom_last_.inverse() * T_odom_sensor;
+    if (!kept_.empty() && !tracked.is_keyframe) {
+      const Pose2 moved = T_odom_last_.inverse() * tracked.T_odom_sensor;
       if (std::hypot(moved.x_m, moved.y_m) < kSpacing_m && std::abs(moved.theta_rad) < kTurn_rad) {
         return;
       }
     }
-    T_odom_last_ = T_odom_sensor;
+    T_odom_last_ = tracked.T_odom_sensor;
     kept_.push_back({scan, index});
   }
 
@@ -45,7 +45,7 @@ void feed(LogReader& reader, MapRun& run, Add add) {
   std::size_t index = 0;
   while (const LogRecord* record = reader.next()) {
     const TrackedPose tracked = add(*record);
-    picture_scans.add(record->scan, tracked.T_odom_sensor, index++);
+    picture_scans.add(record->scan, tracked, index++);
     progress.advance(reader.fraction_read());
   }
   run.picture_scans = picture_scans.take();
@@ -53,20 +53,25 @@ void feed(LogReader& reader, MapRun& run, Add add) {
 
 }  // namespace
 
-MapRun run_map(LogReader& reader, const MapOptions& options) {
+MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock) {
   MapRun run;
+  clock.begin("tracking and closing");
   if (options.preset == Preset::kPaper) {
     PaperMapper mapper;
     feed(reader, run, [&](const LogRecord& record) { return mapper.add(record.scan); });
+    clock.begin("finishing");
     run.track = mapper.finish();
   } else {
-    Mapper mapper;
+    MapperParams params;
+    params.num_threads = options.num_threads;
+    Mapper mapper(params);
     feed(reader, run, [&](const LogRecord& record) {
       const std::optional<Pose2> T_wheels_base =
           options.uses_odometry ? record.T_odom_base : std::nullopt;
       run.num_with_odometry += T_wheels_base.has_value();
       return mapper.add(record.scan, T_wheels_base);
     });
+    clock.begin("finishing");
     run.track = mapper.finish();
   }
   run.format = reader.format();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "apps/setsquare/map_timing.hpp"
 #include "apps/setsquare/preset.hpp"
 #include "setsquare/io/log_reader.hpp"
 #include "setsquare/scan/scan.hpp"
@@ -21,6 +22,7 @@ struct MapOptions {
   Preset preset = Preset::kDefault;
   bool uses_odometry = true;
   bool is_of_sensor = false;  ///< Poses of the sensor instead of the robot's.
+  std::size_t num_threads = 1;
 };
 
 /// A scan that the picture needs.
@@ -32,15 +34,15 @@ struct PictureScan {
 /// A log mapped.
 struct MapRun {
   MappedTrack track;
-  std::vector<PictureScan> picture_scans;  ///< Those that moved on; the rest would add nothing.
+  std::vector<PictureScan> picture_scans;  ///< Keyframes, and those that moved on.
   std::size_t num_with_odometry = 0;       ///< Scans whose odometry was used.
   std::string format;
   std::string sensor;
   LogProblems problems;
 };
 
-/// Reads the opened log to its end, scan by scan, and maps it; shows how far it is. Throws
-/// FileError, FormatError, ParameterError.
-[[nodiscard]] MapRun run_map(LogReader& reader, const MapOptions& options);
+/// Reads the opened log to its end, scan by scan, and maps it; shows how far it is; `clock`
+/// receives the stages. Throws FileError, FormatError, ParameterError.
+[[nodiscard]] MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock);
 
 }  // namespace setsquare::app
