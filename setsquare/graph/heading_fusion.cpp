@@ -7,13 +7,13 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/heading_assignment.hpp"
 #include "setsquare/graph/heading_equations.hpp"
-#include "setsquare/graph/heading_measurements.hpp"
 
 namespace setsquare {
 namespace {
 
-using Measurements = std::vector<HeadingMeasurement>;
+using Measurements = std::vector<AssignedProposal>;
 
 /// Geman-McClure: 1 for a measurement that fits, 1/4 at the scale.
 double robust_weight(double residual_rad, double scale_rad) {
@@ -36,7 +36,7 @@ HeadingEquations chain_equations(const HeadingFrames& found,
   const std::size_t n = found.drift_rad.size();
   HeadingEquations equations(n, found.frames.size());
   for (std::size_t m = 0; m < measurements.size(); ++m) {
-    const HeadingMeasurement& measurement = measurements[m];
+    const AssignedProposal& measurement = measurements[m];
     equations.bind(measurement.keyframe,
                    measurement.frame,
                    measurement.offset_rad,
@@ -51,7 +51,7 @@ HeadingEquations chain_equations(const HeadingFrames& found,
 }
 
 /// How far a measurement is from what the drifts and offsets say.
-double residual_rad(const HeadingMeasurement& measurement, const HeadingFrames& found) {
+double residual_rad(const AssignedProposal& measurement, const HeadingFrames& found) {
   return measurement.offset_rad - found.drift_rad[measurement.keyframe] -
          found.frames[measurement.frame].offset_rad;
 }
@@ -101,7 +101,7 @@ void add_measured(const Measurements& measurements,
                   FusedHeadings& fused) {
   constexpr double kMinWeight = 0.05;  // Less is no belief.
   for (std::size_t m = 0; m < measurements.size(); ++m) {
-    const HeadingMeasurement& measurement = measurements[m];
+    const AssignedProposal& measurement = measurements[m];
     const std::size_t k = measurement.keyframe;
     if (weight[m] > fused.weight[k]) {
       fused.weight[k] = weight[m];

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/graph/heading_measurements.hpp"
+#include "setsquare/graph/heading_assignment.hpp"
 
 #include <cmath>
 
@@ -8,19 +8,19 @@
 
 namespace setsquare {
 
-std::vector<HeadingMeasurement> assign_heading_proposals(
+std::vector<AssignedProposal> assign_heading_proposals(
     const std::vector<HeadingEvidence>& keyframes,
     const HeadingFrames& found,
     double period_rad,
     double gate_rad,
     double building_sigma_rad) {
   const double trust = found.share * found.share;
-  std::vector<HeadingMeasurement> measurements;
+  std::vector<AssignedProposal> measurements;
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     for (const HeadingProposal& proposal : keyframes[k].proposals) {
       const double variance_rad2 =
           proposal.sigma_rad * proposal.sigma_rad + building_sigma_rad * building_sigma_rad;
-      HeadingMeasurement measurement{.keyframe = k};
+      AssignedProposal measurement{.keyframe = k};
       double least_rad = gate_rad;
       for (std::size_t f = 0; f < found.frames.size(); ++f) {
         const double rough_rad = found.drift_rad[k] + found.frames[f].offset_rad;

@@ -11,7 +11,7 @@
 namespace setsquare {
 
 /// A proposal taken for the direction of one frame's walls.
-struct HeadingMeasurement {
+struct AssignedProposal {
   std::size_t keyframe = 0;
   std::size_t frame = 0;
   double offset_rad = 0.0;  ///< Measured drift plus frame's offset, unwrapped near the rough drift.
@@ -22,7 +22,7 @@ struct HeadingMeasurement {
 /// order of the keyframes; a proposal goes to the frame that it fits best. `building_sigma_rad` is
 /// added to each proposal's own sigma. Where much of the log fits no frame, what fits one may do so
 /// by chance: informations are scaled by the square of the share that is explained.
-[[nodiscard]] std::vector<HeadingMeasurement> assign_heading_proposals(
+[[nodiscard]] std::vector<AssignedProposal> assign_heading_proposals(
     const std::vector<HeadingEvidence>& keyframes,
     const HeadingFrames& found,
     double period_rad,

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/graph/heading_measurements.hpp"
+#include "setsquare/graph/heading_assignment.hpp"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ HeadingEvidence keyframe_with(const std::vector<double>& offsets_rad) {
   return keyframe;
 }
 
-TEST(HeadingMeasurements, AProposalGoesToTheFrameThatItFits) {
+TEST(HeadingAssignment, AProposalGoesToTheFrameThatItFits) {
   const double near_second_rad = 0.1 + rad_from_deg(31.0 - 90.0);
   const auto measurements = assign_heading_proposals(
       {keyframe_with({near_second_rad, 0.12})}, two_frames(1.0), kPeriod_rad, kGate_rad, 0.04);
@@ -43,7 +43,7 @@ TEST(HeadingMeasurements, AProposalGoesToTheFrameThatItFits) {
   EXPECT_NEAR(measurements[1].information, 0.5 / (0.05 * 0.05), 1e-9);
 }
 
-TEST(HeadingMeasurements, WhatFitsNoFrameIsNone) {
+TEST(HeadingAssignment, WhatFitsNoFrameIsNone) {
   EXPECT_TRUE(assign_heading_proposals({keyframe_with({0.1 + rad_from_deg(15.0)})},
                                        two_frames(1.0),
                                        kPeriod_rad,
@@ -52,7 +52,7 @@ TEST(HeadingMeasurements, WhatFitsNoFrameIsNone) {
                   .empty());
 }
 
-TEST(HeadingMeasurements, WhereLittleFitsTheRestIsBelievedLess) {
+TEST(HeadingAssignment, WhereLittleFitsTheRestIsBelievedLess) {
   const auto all = assign_heading_proposals(
       {keyframe_with({0.1})}, two_frames(1.0), kPeriod_rad, kGate_rad, 0.04);
   const auto half = assign_heading_proposals(
