@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/slam/mapped_track.hpp"
+
+namespace setsquare::experiments {
+
+/// The full mapper with its defaults over all scans. With `odometry_seed` it is told besides what
+/// drifting wheels measure (OdometryModel with its defaults).
+[[nodiscard]] MappedTrack track_by_mapper(std::span<const SimulatedScan> scans,
+                                          std::optional<std::uint64_t> odometry_seed = {});
+
+}  // namespace setsquare::experiments
