@@ -65,11 +65,14 @@ void ClosureCandidateParams::validate() const {
   }
 }
 
-void ClosureCandidates::add_station(double way_m) {
+void ClosureCandidates::add_station(double way_m, std::size_t piece) {
   const std::size_t station = links_.size();
+  const bool is_new_piece = !pieces_.empty() && piece != pieces_.back();
+  pieces_.push_back(piece);
+  while (joined_pieces_.size() <= piece) joined_pieces_.push_back(joined_pieces_.size());
   links_.emplace_back();
   way_from_start_m_.push_back(station == 0 ? 0.0 : way_from_start_m_.back() + way_m);
-  if (station == 0) return;
+  if (station == 0 || is_new_piece) return;
   links_[station].push_back({station - 1, way_m});
   links_[station - 1].push_back({station, way_m});
 }
@@ -77,6 +80,8 @@ void ClosureCandidates::add_station(double way_m) {
 void ClosureCandidates::link(std::size_t a, std::size_t b) {
   links_[a].push_back({b, params_.closure_way_m});
   links_[b].push_back({a, params_.closure_way_m});
+  const auto [low, high] = std::minmax(joined_pieces_[pieces_[a]], joined_pieces_[pieces_[b]]);
+  std::replace(joined_pieces_.begin(), joined_pieces_.end(), std::size_t{high}, std::size_t{low});
 }
 
 std::vector<ClosureCandidate> ClosureCandidates::find(
@@ -93,9 +98,10 @@ std::vector<ClosureCandidate> ClosureCandidates::find(
     near.clear();
     const auto consider = [&](std::size_t reference) {
       if (way_from_start_m_[current] - way_from_start_m_[reference] < params_.min_way_m) return;
-      const double way_m = ways.way_m(reference);
-      if (way_m > max_way_m) return;
-      const double window_m = params_.window_m + params_.window_per_metre * way_m;
+      if (joined_pieces_[pieces_[current]] != joined_pieces_[pieces_[reference]]) return;
+      const double window_m =
+          std::min(params_.max_window_m,
+                   params_.window_m + params_.window_per_metre * ways.way_m(reference));
       const double distance_m = (positions_m[current] - positions_m[reference]).norm();
       if (distance_m > params_.radius_m + window_m) return;
       near.push_back({distance_m + window_m, {reference, current, window_m}});

@@ -19,7 +19,7 @@ struct ClosureCandidateParams {
   /// The window is so much ...
   double window_m = 0.3;
   double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
-  double max_window_m = 6.0;       ///< Of which correlation grids are capable.
+  double max_window_m = 6.0;       ///< At most: of which correlation grids are capable.
   double sigma_way = 20.0;         ///< A motion's sigma counts as so much way, in m per m.
   double closure_way_m = 1.0;      ///< Length of a closure in the graph.
 
@@ -42,8 +42,9 @@ class ClosureCandidates {
   explicit ClosureCandidates(const ClosureCandidateParams& params) : params_(params) {}
 
   /// The next station along the track; `way_m` from the one before: its length and sigma_way times
-  /// its sigma.
-  void add_station(double way_m);
+  /// its sigma. `piece`: of the track; stations of different pieces are compared once a link joins
+  /// these.
+  void add_station(double way_m, std::size_t piece = 0);
 
   /// A closure that binds both axes was accepted between two stations.
   void link(std::size_t a, std::size_t b);
@@ -65,6 +66,8 @@ class ClosureCandidates {
   ClosureCandidateParams params_;
   std::vector<std::vector<Link>> links_;
   std::vector<double> way_from_start_m_;
+  std::vector<std::size_t> pieces_;         ///< Of each station.
+  std::vector<std::size_t> joined_pieces_;  ///< Of each piece: the lowest one that it hangs with.
 };
 
 }  // namespace setsquare

@@ -58,7 +58,8 @@ void LoopCloser::add_stations(const KeyframeTrack& track, std::size_t num_keyfra
   std::size_t next = stations_.empty() ? spacing : stations_.back() + spacing;
   for (; next + params_.submap_half_width < num_keyframes; next += spacing) {
     const std::size_t before = stations_.empty() ? next : stations_.back();
-    candidates_.add_station(way_between(track, before, next, params_.candidates));
+    candidates_.add_station(way_between(track, before, next, params_.candidates),
+                            track.pieces[next]);
     stations_.push_back(next);
   }
   std::erase_if(joints_to_link_, [&](const auto& joint) {

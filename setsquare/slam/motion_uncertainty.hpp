@@ -20,8 +20,8 @@ struct MotionUncertaintyParams {
   double recovered_sigma_m = 0.1;                  ///< Of each scan found again far off.
   double restart_sigma_m = 20.0;                   ///< Of each new start of the submap.
 
-  double step_sigma_rad = rad_from_deg(0.08);  ///< Of every step ...
-  double sigma_per_turn = 0.01;                ///< ... and this share of the turn.
+  double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
+  double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
   double lost_sigma_rad = 0.05;
   double recovered_sigma_rad = 0.2;
   double restart_sigma_rad = 0.5;
