@@ -25,9 +25,10 @@ Table closure_table(const CircuitStudy& study) {
   const ClosureMedians paper = closure_medians(study, &CircuitRun::paper);
   const ClosureMedians literal = closure_medians(study, &CircuitRun::paper_literal);
   const ClosureMedians ours = closure_medians(study, &CircuitRun::ours);
+  const ClosureMedians mapper = closure_medians(study, &CircuitRun::mapper);
   Table table{joined({"Closure errors |x|, |y|; norm in m, median of ",
                       number(study.runs.size()),
-                      " seeds, no loop closed"}),
+                      " seeds; no loop closed but by the full mapper"}),
               {"circuit",
                "length here [m]",
                "paper, as stated",
@@ -45,7 +46,7 @@ Table closure_table(const CircuitStudy& study) {
                           {closure_text(literal, c)},
                           {closure_text(paper, c)},
                           {closure_text(ours, c)},
-                          {"next release", "faint"}});
+                          {closure_text(mapper, c)}});
   }
   return table;
 }
@@ -99,6 +100,8 @@ Table heading_table(const CircuitStudy& study) {
       heading_row("here: --preset paper, literal", study, &CircuitRun::paper_literal));
   table.rows.push_back(heading_row("here: --preset paper, in sequence", study, &CircuitRun::paper));
   table.rows.push_back(heading_row("here: default", study, &CircuitRun::ours));
+  table.rows.push_back(heading_row("here: full mapper", study, &CircuitRun::mapper));
+  table.rows.push_back(heading_row("here: full mapper, odometry", study, &CircuitRun::wheeled));
   return table;
 }
 
@@ -147,6 +150,8 @@ std::string count_table(const CircuitStudy& study) {
       count_row("here: --preset paper, literal", study, &CircuitRun::paper_literal));
   table.rows.push_back(count_row("here: --preset paper, in sequence", study, &CircuitRun::paper));
   table.rows.push_back(count_row("here: default", study, &CircuitRun::ours));
+  table.rows.push_back(count_row("here: full mapper", study, &CircuitRun::mapper));
+  table.rows.push_back(count_row("here: full mapper, odometry", study, &CircuitRun::wheeled));
   return table_html(table);
 }
 
@@ -175,10 +180,12 @@ Series heading_series(const std::string& name, const CircuitRun& run, const Chai
 std::string track_charts(const CircuitRun& run) {
   const double length_m = travelled_m(run.truth).back();
   const std::vector<Series> position = {error_series("--preset paper, in sequence", run, run.paper),
-                                        error_series("default", run, run.ours)};
+                                        error_series("default", run, run.ours),
+                                        error_series("full mapper", run, run.mapper)};
   const std::vector<Series> heading = {
       heading_series("--preset paper, in sequence", run, run.paper),
-      heading_series("default", run, run.ours)};
+      heading_series("default", run, run.ours),
+      heading_series("full mapper", run, run.mapper)};
   return "<div class=\"charts\">\n" +
          chart_svg({"Position error along the track, seed 1",
                     "travelled [m]",
@@ -208,9 +215,12 @@ std::string seed_table(const CircuitStudy& study) {
                "paper, 2nd",
                "default, 1st",
                "default, 2nd",
+               "full mapper, 1st",
+               "full mapper, 2nd",
                "paper, literal, heading",
                "paper, in sequence, heading",
-               "default, heading"},
+               "default, heading",
+               "full mapper, heading"},
               {}};
   for (const CircuitRun& run : study.runs) {
     table.rows.push_back({{number(run.seed)},
@@ -218,9 +228,12 @@ std::string seed_table(const CircuitStudy& study) {
                           {number(run.paper.closure_m[1].norm(), 3)},
                           {number(run.ours.closure_m[0].norm(), 3)},
                           {number(run.ours.closure_m[1].norm(), 3)},
+                          {number(run.mapper.closure_m[0].norm(), 3)},
+                          {number(run.mapper.closure_m[1].norm(), 3)},
                           {number(deg_from_rad(run.paper_literal.heading.end_rad), 3)},
                           {number(deg_from_rad(run.paper.heading.end_rad), 3)},
-                          {number(deg_from_rad(run.ours.heading.end_rad), 3)}});
+                          {number(deg_from_rad(run.ours.heading.end_rad), 3)},
+                          {number(deg_from_rad(run.mapper.heading.end_rad), 3)}});
   }
   return folding("Every seed", table_html(table));
 }
@@ -235,7 +248,8 @@ std::string circuit_html(const CircuitStudy& study) {
               " m through it; ",
               number(first.truth.size()),
               " scans of a UTM-30LX, 0.4 m or 10 deg apart, each matched with the one before. No "
-              "loop is closed, no odometry used; the default matcher's headings are fused with the "
+              "loop is closed (but by the full mapper), no odometry used; the default matcher's "
+              "headings are fused with the "
               "directions of the walls. A closure error is the difference between the estimated "
               "and the true relative pose of the end of a circuit, seen from its start."}));
   html += paragraph(
@@ -259,17 +273,20 @@ std::string circuit_html(const CircuitStudy& study) {
   html += figure(plan_svg(study.plan,
                           {{"true track", first.truth},
                            {"--preset paper, in sequence", first.paper.chain.T_map_base},
-                           {"default", first.ours.chain.T_map_base}}),
+                           {"default", first.ours.chain.T_map_base},
+                           {"full mapper", first.mapper.chain.T_map_base}}),
                  "Figure 5: the track in the building of seed 1.");
   html += figure(png_element(study.default_map, "Map by the default matcher"),
                  "Figure 6: the map by the default matcher, scan to scan, seed 1.");
   html += figure(png_element(study.paper_map, "Map by the paper's method"),
                  "The same by the paper's method, in sequence.");
+  html += circuit_mapper_html(study);
   return html;
 }
 
 std::string circuit_text(const CircuitStudy& study) {
-  return table_text(closure_table(study)) + table_text(heading_table(study));
+  return table_text(closure_table(study)) + table_text(mapper_table(study)) +
+         table_text(heading_table(study));
 }
 
 }  // namespace setsquare::experiments

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "experiments/chain_map.hpp"
+#include "experiments/mapper_chain.hpp"
 #include "experiments/simulated_run.hpp"
 #include "experiments/tally.hpp"
 
@@ -76,6 +77,15 @@ void find_circuits(CircuitRun& run, const PaperBuilding& world) {
   }
 }
 
+void map_in_full(const SimulatedRun& simulated, double axis_rad, CircuitRun& run) {
+  const MappedTrack track = track_by_mapper(simulated.scans);
+  run.mapper = judge_chain(chain_from(track), run, axis_rad);
+  run.mapper_errors = map_errors(track, run.truth);
+  const MappedTrack wheeled = track_by_mapper(simulated.scans, sub_seed(run.seed, 2));
+  run.wheeled = judge_chain(chain_from(wheeled), run, axis_rad);
+  run.wheeled_errors = map_errors(wheeled, run.truth);
+}
+
 }  // namespace
 
 CircuitStudy study_circuits(const CircuitStudyParams& params,
@@ -95,10 +105,12 @@ CircuitStudy study_circuits(const CircuitStudyParams& params,
     run.paper = judge_chain(std::move(paper.in_sequence), run, axis_rad);
     run.paper_literal = judge_chain(std::move(paper.literal), run, axis_rad);
     run.ours = judge_chain(chain_by_default_matcher(simulated.scans), run, axis_rad);
+    map_in_full(simulated, axis_rad, run);
     if (task > 0) return;
     study.plan = world.building.plan;
     study.paper_map = map_png(simulated.scans, run.paper.chain.T_map_base, axis_rad);
     study.default_map = map_png(simulated.scans, run.ours.chain.T_map_base, axis_rad);
+    study.mapper_map = map_png(simulated.scans, run.mapper.chain.T_map_base, axis_rad);
   };
   run_in_parallel(params.num_seeds, num_threads, study_one, progress);
   return study;
@@ -119,6 +131,18 @@ ClosureMedians closure_medians(const CircuitStudy& study, ChainOutcome CircuitRu
     medians.norm_m[c] = median(norm_m);
   }
   return medians;
+}
+
+MapMedians map_medians(const CircuitStudy& study, MapErrors CircuitRun::*errors) {
+  std::vector<double> final_m, mean_m;
+  for (const CircuitRun& run : study.runs) {
+    final_m.push_back((run.*errors).first_final_m);
+    mean_m.push_back((run.*errors).first_mean_m);
+  }
+  return {median(final_m),
+          *std::max_element(final_m.begin(), final_m.end()),
+          median(mean_m),
+          *std::max_element(mean_m.begin(), mean_m.end())};
 }
 
 HeadingJudgement judge_headings(const CircuitStudy& study, ChainOutcome CircuitRun::*outcome) {

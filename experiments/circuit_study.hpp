@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "experiments/chain_errors.hpp"
+#include "experiments/map_errors.hpp"
 #include "experiments/scan_chain.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/drawing/image.hpp"
@@ -16,7 +17,7 @@
 
 namespace setsquare::experiments {
 
-/// bando2014, section 5.2: the large building, scan to scan.
+/// bando2014, section 5.2: the large building, scan to scan; and by the full mapper.
 struct CircuitStudyParams {
   std::size_t num_seeds = 20;  ///< Seeds 1 ... num_seeds; the first one's map is drawn.
   std::size_t max_num_scans = 2800;
@@ -46,13 +47,18 @@ struct CircuitRun {
   ChainOutcome paper;          ///< As `setsquare map --preset paper` takes a sequence of scans.
   ChainOutcome paper_literal;  ///< With all four offsets, as printed.
   ChainOutcome ours;
+  ChainOutcome mapper;  ///< The full mapper, without odometry ...
+  MapErrors mapper_errors;
+  ChainOutcome wheeled;  ///< ... and with wheels that drift.
+  MapErrors wheeled_errors;
 };
 
 struct CircuitStudy {
   std::vector<CircuitRun> runs;
   FloorPlan plan;           ///< Of the first run.
   std::string paper_map;    ///< PNG of the first run's map by the paper's method ...
-  std::string default_map;  ///< ... and by the default matcher.
+  std::string default_map;  ///< ... and by the default matcher,
+  std::string mapper_map;   ///< and by the full mapper, without odometry.
 };
 
 [[nodiscard]] CircuitStudy study_circuits(const CircuitStudyParams& params,
@@ -67,6 +73,15 @@ struct ClosureMedians {
 };
 [[nodiscard]] ClosureMedians closure_medians(const CircuitStudy& study,
                                              ChainOutcome CircuitRun::*outcome);
+
+/// The full mapper's maps over the seeds, the first pose laid onto the truth.
+struct MapMedians {
+  double final_m = 0.0;  ///< Error of the last pose: median,
+  double worst_final_m = 0.0;
+  double mean_m = 0.0;  ///< mean error of all poses: median,
+  double worst_mean_m = 0.0;
+};
+[[nodiscard]] MapMedians map_medians(const CircuitStudy& study, MapErrors CircuitRun::*errors);
 
 /// Heading error at the end of the track that a run may have, in deg.
 inline constexpr double kMaxEndHeading_deg = 0.5;

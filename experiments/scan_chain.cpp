@@ -65,9 +65,9 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
                                links[k].result.status == MatchStatus::kDegenerate;
     tracked_rad += turn_rad;
     evidence[k].tracked_heading_rad = tracked_rad;
-    evidence[k].step_sigma_rad = std::hypot(
-        params.motion.step_sigma_rad + params.motion.sigma_per_turn * std::abs(turn_rad),
-        is_turn_known ? 0.0 : params.motion.lost_sigma_rad);
+    evidence[k].step_sigma_rad =
+        std::hypot(params.motion.step_sigma_rad + params.motion.sigma_per_turn * std::abs(turn_rad),
+                   is_turn_known ? 0.0 : params.motion.lost_sigma_rad);
     const SquareDirections directions = square_directions(
         points_from_scan(scans[k].scan), scans[k].scan.bearing_step_rad, params.direction);
     const double confidence =
@@ -77,19 +77,6 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
     evidence[k].proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
   }
   return evidence;
-}
-
-ScanChain chain_from(const MappedTrack& track) {
-  ScanChain chain;
-  for (const MappedScan& placed : track.scans) {
-    chain.T_map_base.push_back(placed.T_map_base);
-    if (placed.status == TrackStatus::kLost) {
-      ++chain.counts.num_unmatched;
-    } else if (chain.T_map_base.size() > 1) {
-      ++chain.counts.num_matched;
-    }
-  }
-  return chain;
 }
 
 }  // namespace
@@ -146,6 +133,19 @@ ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans) {
     const Eigen::Vector2d step = translation_given_turn(links[k].result, links[k].motion, turn_rad);
     chain.T_map_base.push_back(chain.T_map_base.back() * Pose2{step.x(), step.y(), turn_rad});
     count(chain.counts, links[k].result.status);
+  }
+  return chain;
+}
+
+ScanChain chain_from(const MappedTrack& track) {
+  ScanChain chain;
+  for (const MappedScan& placed : track.scans) {
+    chain.T_map_base.push_back(placed.T_map_base);
+    if (placed.status == TrackStatus::kLost) {
+      ++chain.counts.num_unmatched;
+    } else if (chain.T_map_base.size() > 1) {
+      ++chain.counts.num_matched;
+    }
   }
   return chain;
 }

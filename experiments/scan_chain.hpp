@@ -9,6 +9,7 @@
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/match_result.hpp"
 #include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/slam/mapped_track.hpp"
 
 namespace setsquare::experiments {
 
@@ -22,8 +23,8 @@ struct ChainCounts {
   ChainCounts& operator+=(const ChainCounts& other);
 };
 
-/// Scans placed one after the other, each by its match with the one before; no loop is closed, no
-/// odometry is used.
+/// Scans and the poses that a method gave them; unless it says otherwise each by its match with the
+/// one before, no loop closed, no odometry used.
 struct ScanChain {
   std::vector<Pose2> T_map_base;  ///< One a scan.
   ChainCounts counts;
@@ -49,6 +50,9 @@ struct PaperChains {
 ///
 /// The map's frame is the first scan's position, with the building's axes.
 [[nodiscard]] ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans);
+
+/// What a mapper answered: a scan that tracking lost is unmatched, any other but the first matched.
+[[nodiscard]] ScanChain chain_from(const MappedTrack& track);
 
 /// The relative pose that a chain goes on with: the answer where it is `matched`, else as far as it
 /// binds the motion; the rest is `last_motion`.

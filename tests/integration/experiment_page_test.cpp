@@ -66,7 +66,7 @@ TEST(PaperExperiment, ThePageIsWellFormedAndNeedsNoOtherFile) {
   const auto json = nlohmann::json::parse(paper_json(experiment));
   EXPECT_EQ(json.at("honesty").at("worlds").size(), 7U);
   EXPECT_FALSE(json.contains("buildings"));
-  EXPECT_EQ(json.at("goals").size(), 8U);
+  EXPECT_EQ(json.at("goals").size(), 9U);
   EXPECT_TRUE(json.at("timing").contains("honesty_s"));
 }
 
