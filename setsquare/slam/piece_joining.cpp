@@ -91,7 +91,9 @@ class PieceJoiner {
   /// The middle one of what the joints say of the piece's headings, as tracked.
   [[nodiscard]] double tracked_turn_rad(const std::vector<Proposal>& joints) const {
     const auto turn_by = [&](const Proposal& joint) {
-      return T_map_sensor_[joint.known].theta_rad + joint.places.T_from_to.theta_rad -
+      return joined_.turn_rad[track_.pieces[joint.known]] +
+             track_.keyframes[joint.known]->T_odom_sensor.theta_rad +
+             joint.places.T_from_to.theta_rad -
              track_.keyframes[joint.sought]->T_odom_sensor.theta_rad;
     };
     const double first_rad = turn_by(joints.front());

@@ -28,14 +28,14 @@ MatchParams params_of_a_known_place() {
 std::optional<RecoveredFit> recover(const TrackingProblem& problem,
                                     std::span<const KeyframePtr> keyframes,
                                     const Scan& scan,
-                                    const SubmapFit& tracked,
+                                    const std::optional<SubmapFit>& tracked,
                                     const RecoveryParams& params,
                                     const SubmapRefinementParams& refinement) {
   const PreparedScan current = prepare(scan);
   const MatchParams match_params = params_of_a_known_place();
   const std::size_t num_tried = std::min(params.num_keyframes, keyframes.size());
   std::optional<RecoveredFit> best;
-  double best_score = tracked.alignment.score() + params.min_gain;
+  double best_score = tracked ? tracked->alignment.score() + params.min_gain : 0.0;
   for (std::size_t k = 0; k < num_tried; ++k) {
     const Keyframe& keyframe = *keyframes[keyframes.size() - 1 - k];
     const MatchResult match = setsquare::match(prepare(keyframe.scan), current, match_params);
@@ -45,7 +45,8 @@ std::optional<RecoveredFit> recover(const TrackingProblem& problem,
         problem.submap, problem.points, proposal, problem.trust, problem.marks};
     const SubmapFit fit = refine_in_submap(at_proposal, proposal, refinement);
     const double score = fit.alignment.score();
-    const bool is_far = is_far_from(problem.T_odom_predicted, fit.T_odom_sensor, params);
+    const bool is_far =
+        !tracked || is_far_from(problem.T_odom_predicted, fit.T_odom_sensor, params);
     const bool is_certain = match.status == MatchStatus::kMatched && score >= params.far_min_score;
     if (score < best_score || (is_far && !is_certain)) continue;
     best = RecoveredFit{fit, is_far};

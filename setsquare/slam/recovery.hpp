@@ -20,10 +20,11 @@ struct RecoveredFit {
 /// against the latest of the submap's keyframes, one after the other, anywhere and at any turn;
 /// each proposal is refined in the whole submap. Nothing where none is convincingly better than
 /// `tracked`: a place far from the expected one needs a match that stands alone and a high score.
+/// Without `tracked` (after a gap in the log) nothing is expected: every place is far.
 [[nodiscard]] std::optional<RecoveredFit> recover(const TrackingProblem& problem,
                                                   std::span<const KeyframePtr> keyframes,
                                                   const Scan& scan,
-                                                  const SubmapFit& tracked,
+                                                  const std::optional<SubmapFit>& tracked,
                                                   const RecoveryParams& params,
                                                   const SubmapRefinementParams& refinement);
 

@@ -12,7 +12,7 @@
 namespace setsquare {
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
-    : params_(params), motion_(params.num_scans_averaged) {
+    : params_(params), motion_(params.num_scans_averaged), gap_(params.gap) {
   params_.validate();
 }
 
@@ -20,18 +20,20 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
   const bool sees_enough = points.size() >= params_.min_points;
   const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
+  const bool is_anywhere = gap_.add(scan) && !motion_.has_odometry(T_wheels_sensor);
   TrackedPose tracked;
   tracked.T_odom_sensor = predicted;
   if (!sees_enough) {
     tracked.status = TrackStatus::kLost;
     tracked.score = 0.0;
   } else if (!submap_.empty()) {
-    tracked = place(scan, sample_surface(points, points.size()), predicted, T_wheels_sensor);
+    tracked =
+        place(scan, sample_surface(points, points.size()), predicted, T_wheels_sensor, is_anywhere);
   }
   // A scan that sees next to nothing tells nothing against the submap.
   if (sees_enough) {
     num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
-    tracked.is_restart = num_lost_ >= params_.max_lost_scans;
+    tracked.is_restart = num_lost_ >= params_.max_lost_scans || (num_lost_ > 0 && is_anywhere);
     if (tracked.is_restart) start_anew();
     keep_if_far(scan, std::move(points), tracked);
   }
@@ -44,15 +46,22 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
 TrackedPose ScanTracker::place(const Scan& scan,
                                const SurfaceSamples& points,
                                const Pose2& predicted,
-                               const std::optional<Pose2>& T_wheels_sensor) {
+                               const std::optional<Pose2>& T_wheels_sensor,
+                               bool is_anywhere) {
   const PredictionTrust& trust = motion_.has_odometry(T_wheels_sensor)
                                      ? params_.trust_in_odometry
                                      : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
-  if (fit.alignment.score() < params_.recovery.below_score) {
-    const auto found = recover(problem, submap_, scan, fit, params_.recovery, params_.refinement);
+  if (is_anywhere || fit.alignment.score() < params_.recovery.below_score) {
+    const auto expected = is_anywhere ? std::nullopt : std::optional(fit);
+    const auto found =
+        recover(problem, submap_, scan, expected, params_.recovery, params_.refinement);
+    if (is_anywhere && !found) {
+      return {
+          .status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .weak = fit.weak};
+    }
     if (found) fit = found->fit;
     if (found && found->is_far) status = TrackStatus::kRecovered;
   }

@@ -8,6 +8,7 @@
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/slam/keyframe.hpp"
 #include "setsquare/slam/motion_prediction.hpp"
+#include "setsquare/slam/scan_gap.hpp"
 #include "setsquare/slam/scan_tracker_params.hpp"
 #include "setsquare/slam/submap_refinement.hpp"
 
@@ -34,7 +35,8 @@ struct TrackedPose {
 ///
 /// 1. Predict: from the odometry if there is any, else from the last motion.
 /// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
-/// 3. Recover where the scan does not fit: the guess-free matcher, anywhere and at any turn.
+/// 3. Recover where the scan does not fit, or where the log has a gap that no odometry bridges: the
+///    guess-free matcher, anywhere and at any turn. After a gap no other answer counts.
 /// 4. Search along the corridor where the walls leave a direction free.
 /// 5. Keep the scan as a keyframe where it is far enough from the last one.
 class ScanTracker {
@@ -54,12 +56,14 @@ class ScanTracker {
   TrackedPose place(const Scan& scan,
                     const SurfaceSamples& points,
                     const Pose2& predicted,
-                    const std::optional<Pose2>& T_wheels_sensor);
+                    const std::optional<Pose2>& T_wheels_sensor,
+                    bool is_anywhere);
   void start_anew();
   void keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked);
 
   ScanTrackerParams params_;
   MotionPrediction motion_;
+  ScanGap gap_;
   std::vector<KeyframePtr> submap_;
   std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.
   PointMarks marks_;

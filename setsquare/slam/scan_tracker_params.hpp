@@ -7,6 +7,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/matching/surface_image.hpp"
 #include "setsquare/matching/surface_points.hpp"
+#include "setsquare/slam/scan_gap.hpp"
 #include "setsquare/slam/submap_alignment.hpp"
 
 namespace setsquare {
@@ -61,6 +62,7 @@ struct ScanTrackerParams {
   SubmapRefinementParams refinement;
   CorridorSearchParams corridor;
   RecoveryParams recovery;
+  ScanGapParams gap;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.0};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.

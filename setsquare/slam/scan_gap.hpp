@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+
+#include "setsquare/scan/scan.hpp"
+
+namespace setsquare {
+
+struct ScanGapParams {
+  double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
+  double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
+  double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
+  double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
+};
+
+/// Tells where a log has a gap: the robot may be anywhere after it, unless it sees what it saw
+/// before. Stamps that run backwards, as those of real logs do, make no gap.
+class ScanGap {
+ public:
+  explicit ScanGap(const ScanGapParams& params) : params_(params) {}
+
+  /// Whether there is a gap before this scan.
+  [[nodiscard]] bool add(const Scan& scan);
+
+ private:
+  [[nodiscard]] bool is_same_view(const Scan& a, const Scan& b) const;
+
+  ScanGapParams params_;
+  std::optional<Scan> last_;
+  double period_s_ = 0.0;  ///< The usual pause; 0 until there was one.
+};
+
+}  // namespace setsquare
