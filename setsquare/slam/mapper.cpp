@@ -213,7 +213,8 @@ MappedTrack Mapper::assemble(MappedTrack mapped,
                              const JoinedPieces& joined) const {
   std::vector<MappedKeyframe> keyframes;
   for (std::size_t k = 0; k < track_.size(); ++k) {
-    keyframes.push_back({track_.keyframes[k]->scan_index, graph.T_map_node[k]});
+    const bool begins_piece = k > 0 && track_.pieces[k] != track_.pieces[k - 1];
+    keyframes.push_back({track_.keyframes[k]->scan_index, graph.T_map_node[k], begins_piece});
     mapped.keyframes.push_back(track_.keyframes[k]->scan_index);
   }
   std::vector<Pose2> T_odom_sensor;

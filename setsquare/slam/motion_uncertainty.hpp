@@ -17,13 +17,13 @@ struct MotionUncertaintyParams {
   double open_sigma_per_metre = 0.3;
   double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
   double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
-  double recovered_sigma_m = 0.1;                  ///< Of each scan found again far off.
+  double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
   double restart_sigma_m = 20.0;                   ///< Of each new start of the submap.
 
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
   double lost_sigma_rad = 0.05;
-  double recovered_sigma_rad = 0.2;
+  double recovered_sigma_rad = rad_from_deg(1.5);
   double restart_sigma_rad = 0.5;
 
   // The same where odometry bridges the gap: a witness.

@@ -28,8 +28,9 @@ std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     const MappedKeyframe& from = keyframes[k];
     const bool is_last = k + 1 == keyframes.size();
-    const MappedKeyframe& to = is_last ? from : keyframes[k + 1];
-    const std::size_t end = is_last ? T_odom_sensor.size() : to.scan_index;
+    const std::size_t end = is_last ? T_odom_sensor.size() : keyframes[k + 1].scan_index;
+    const bool hangs = is_last || keyframes[k + 1].begins_piece;
+    const MappedKeyframe& to = hangs ? from : keyframes[k + 1];
     for (std::size_t i = from.scan_index; i < end; ++i) {
       const double share =
           static_cast<double>(i - from.scan_index) / static_cast<double>(end - from.scan_index);

@@ -14,11 +14,13 @@ namespace setsquare {
 struct MappedKeyframe {
   std::size_t scan_index = 0;
   Pose2 T_map_sensor;
+  bool begins_piece = false;  ///< Of track: how the robot came there is not known.
 };
 
 /// Poses of all scans from those of the keyframes: between two keyframes the tracked motion is laid
-/// out from both, and the pose slides from the one to the other with the scans; before the first
-/// and after the last it hangs on that one. `keyframes` are in the order of the scans; where there
+/// out from both, and the pose slides from the one to the other with the scans; before the first,
+/// after the last and before one that begins a piece of track it hangs on the nearest one that is
+/// known. `keyframes` are in the order of the scans; where there
 /// are none the tracked poses stay.
 [[nodiscard]] std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
                                                 std::span<const MappedKeyframe> keyframes);

@@ -25,7 +25,7 @@ std::vector<Pose2> curve() {
 std::vector<MappedKeyframe> keyframes_of(const std::vector<Pose2>& poses,
                                          const std::vector<std::size_t>& scans) {
   std::vector<MappedKeyframe> keyframes;
-  for (const std::size_t scan : scans) keyframes.push_back({scan, poses[scan]});
+  for (const std::size_t scan : scans) keyframes.push_back({scan, poses[scan], false});
   return keyframes;
 }
 
@@ -59,7 +59,7 @@ TEST(TrackAssembly, PassesThroughEveryKeyframeAndSlidesInBetween) {
   std::vector<MappedKeyframe> keyframes;
   for (std::size_t i = 0; i < tracked.size(); ++i) {
     tracked[i].x_m = 0.08 * static_cast<double>(i);
-    if (i % 10 == 0) keyframes.push_back({i, {0.1 * static_cast<double>(i), 0.0, 0.0}});
+    if (i % 10 == 0) keyframes.push_back({i, {0.1 * static_cast<double>(i), 0.0, 0.0}, false});
   }
   const std::vector<Pose2> assembled = assemble_track(tracked, keyframes);
   for (std::size_t i = 0; i < tracked.size(); ++i) {
@@ -68,10 +68,23 @@ TEST(TrackAssembly, PassesThroughEveryKeyframeAndSlidesInBetween) {
   }
 }
 
+TEST(TrackAssembly, WhereAPieceBeginsNothingSlides) {
+  const std::vector<Pose2> tracked = curve();
+  std::vector<MappedKeyframe> keyframes = keyframes_of(tracked, {0, 30, 50});
+  const Pose2 elsewhere{7.0, 3.0, 1.0};
+  for (const std::size_t k : {1, 2}) keyframes[k].T_map_sensor = elsewhere * tracked[k * 20 + 10];
+  keyframes[1].begins_piece = true;
+  const std::vector<Pose2> assembled = assemble_track(tracked, keyframes);
+  for (std::size_t i = 0; i < tracked.size(); ++i) {
+    const Pose2 expected = i < 30 ? tracked[i] : elsewhere * tracked[i];
+    EXPECT_THAT(assembled[i], PoseNear(expected, PoseTolerance{})) << i;
+  }
+}
+
 TEST(TrackAssembly, HeadingsSlideTheShortWay) {
   const std::vector<Pose2> tracked(11);
-  const std::vector<Pose2> assembled =
-      assemble_track(tracked, std::vector<MappedKeyframe>{{0, {0, 0, 3.1}}, {10, {0, 0, -3.1}}});
+  const std::vector<Pose2> assembled = assemble_track(
+      tracked, std::vector<MappedKeyframe>{{0, {0, 0, 3.1}, false}, {10, {0, 0, -3.1}, false}});
   EXPECT_NEAR(std::abs(wrap_to_pi(assembled[5].theta_rad - kPi)), 0.0, 1e-9);
 }
 
