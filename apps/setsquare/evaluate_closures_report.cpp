@@ -42,17 +42,17 @@ const char* name_of(ClosureAxes axes) {
   return axes == ClosureAxes::kXY ? "xy" : axes == ClosureAxes::kX ? "x" : "y";
 }
 
-const char* name_of(ClosureVerdict verdict) {
+const char* name_of(ClosureTruth verdict) {
   switch (verdict) {
-    case ClosureVerdict::kRight:
+    case ClosureTruth::kRight:
       return "right";
-    case ClosureVerdict::kWrong:
+    case ClosureTruth::kWrong:
       return "wrong";
-    case ClosureVerdict::kBorderline:
+    case ClosureTruth::kBorderline:
       return "borderline";
-    case ClosureVerdict::kDisputed:
+    case ClosureTruth::kDisputed:
       return "disputed";
-    case ClosureVerdict::kUnjudged:
+    case ClosureTruth::kUnjudged:
       break;
   }
   return "unjudged";
@@ -63,9 +63,8 @@ void for_each_doubtful(std::span<const LoopClosure> closures,
                        std::span<const ClosureJudgement> judgements,
                        const Use& use) {
   for (std::size_t k = 0; k < closures.size(); ++k) {
-    const ClosureVerdict verdict = judgements[k].verdict;
-    const bool is_doubtful =
-        verdict != ClosureVerdict::kRight && verdict != ClosureVerdict::kUnjudged;
+    const ClosureTruth verdict = judgements[k].verdict;
+    const bool is_doubtful = verdict != ClosureTruth::kRight && verdict != ClosureTruth::kUnjudged;
     if (closures[k].is_accepted && is_doubtful) use(closures[k], judgements[k]);
   }
 }

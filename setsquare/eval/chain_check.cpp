@@ -13,9 +13,9 @@ namespace setsquare {
 namespace {
 
 /// A relation between two nodes by the chains of the others: none, one or two poses.
-std::vector<ExpectedPose> expected_by_others(const RelationGraph& graph,
-                                             const ChainEnd& reference,
-                                             const ChainEnd& current) {
+std::vector<ReferencePose> expected_by_others(const RelationGraph& graph,
+                                              const ChainEnd& reference,
+                                              const ChainEnd& current) {
   const auto [a, b] = std::minmax(reference.node, current.node);
   std::vector<JoinedPair> avoided = {{a, b}};
   const auto first = graph.chain({&reference, 1}, {&current, 1}, avoided);
@@ -43,7 +43,7 @@ ChainCheck check_chains(std::span<const Relation> relations, const ChainCheckPar
     const ClosureJudgement judgement = judge_closure(
         closure, expected_by_others(graph, reference, current), std::nullopt, params.limits);
     add_verdict(judgement.verdict, check.verdicts);
-    if (judgement.verdict == ClosureVerdict::kUnjudged) continue;
+    if (judgement.verdict == ClosureTruth::kUnjudged) continue;
     translation_m.push_back(judgement.error.translation_m);
     rotation_rad.push_back(judgement.error.rotation_rad);
   }

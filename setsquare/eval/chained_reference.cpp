@@ -23,7 +23,7 @@ void HopParams::validate() const {
   }
 }
 
-ExpectedPose expected_pose(const ChainedPose& chained) {
+ReferencePose expected_pose(const ChainedPose& chained) {
   return {chained.T_i_j,
           std::sqrt(chained.variance.translation_m2),
           std::sqrt(chained.variance.rotation_rad2)};
@@ -61,7 +61,7 @@ std::vector<ChainEnd> ChainedReference::ends_near(Timestamp stamp) const {
   return ends;
 }
 
-std::vector<ExpectedPose> ChainedReference::expected(Timestamp stamp_i, Timestamp stamp_j) const {
+std::vector<ReferencePose> ChainedReference::expected(Timestamp stamp_i, Timestamp stamp_j) const {
   const std::vector<ChainEnd> ends_i = ends_near(stamp_i);
   const std::vector<ChainEnd> ends_j = ends_near(stamp_j);
   const auto first = graph_.chain(ends_i, ends_j);

@@ -24,7 +24,7 @@ struct HopParams {
 };
 
 /// What a chain tells, with its noise.
-[[nodiscard]] ExpectedPose expected_pose(const ChainedPose& chained);
+[[nodiscard]] ReferencePose expected_pose(const ChainedPose& chained);
 
 /// Where a robot was at one scan, seen from another, as relations tell it that have neither stamp:
 /// from i a short hop along the trajectory to a relation's stamp, a chain of relations, a short hop
@@ -38,7 +38,7 @@ class ChainedReference {
 
   /// T_i_j by the cheapest chain and by the cheapest of those that share no pair of stamps with it:
   /// none, one or two poses. None, too, where both hops meet at one stamp: no relation told it.
-  [[nodiscard]] std::vector<ExpectedPose> expected(Timestamp stamp_i, Timestamp stamp_j) const;
+  [[nodiscard]] std::vector<ReferencePose> expected(Timestamp stamp_i, Timestamp stamp_j) const;
 
  private:
   [[nodiscard]] std::vector<ChainEnd> ends_near(Timestamp stamp) const;

@@ -11,18 +11,18 @@ namespace {
 constexpr double kSureSigmas = 2.0;
 
 /// What one expected pose says of an error: right or wrong for sure, or borderline.
-ClosureVerdict verdict_of(const ClosureError& error,
-                          const ExpectedPose& expected,
-                          const ClosureLimits& limits) {
+ClosureTruth verdict_of(const ClosureError& error,
+                        const ReferencePose& expected,
+                        const ClosureLimits& limits) {
   const double margin_m = kSureSigmas * expected.translation_sigma_m;
   const double margin_rad = kSureSigmas * expected.rotation_sigma_rad;
   if (error.is_within(
           {limits.max_translation_m - margin_m, limits.max_rotation_rad - margin_rad})) {
-    return ClosureVerdict::kRight;
+    return ClosureTruth::kRight;
   }
   const bool may_be_right =
       error.is_within({limits.max_translation_m + margin_m, limits.max_rotation_rad + margin_rad});
-  return may_be_right ? ClosureVerdict::kBorderline : ClosureVerdict::kWrong;
+  return may_be_right ? ClosureTruth::kBorderline : ClosureTruth::kWrong;
 }
 
 }  // namespace
@@ -47,21 +47,21 @@ ClosureError closure_error(const LoopClosure& closure, const Pose2& T_i_j, doubl
 }
 
 ClosureJudgement judge_closure(const LoopClosure& closure,
-                               std::span<const ExpectedPose> expected,
+                               std::span<const ReferencePose> expected,
                                std::optional<double> heading_i_rad,
                                const ClosureLimits& limits) {
   const bool has_axis = closure.axes == ClosureAxes::kXY || heading_i_rad;
   if (expected.empty() || !has_axis) return {};
   ClosureJudgement judgement{
-      ClosureVerdict::kBorderline,
+      ClosureTruth::kBorderline,
       closure_error(closure, expected.front().T_i_j, heading_i_rad.value_or(0.0))};
-  for (const ExpectedPose& pose : expected) {
+  for (const ReferencePose& pose : expected) {
     const ClosureError error = closure_error(closure, pose.T_i_j, heading_i_rad.value_or(0.0));
-    const ClosureVerdict verdict = verdict_of(error, pose, limits);
-    if (verdict == ClosureVerdict::kBorderline) continue;
-    const bool is_first_to_tell = judgement.verdict == ClosureVerdict::kBorderline;
+    const ClosureTruth verdict = verdict_of(error, pose, limits);
+    if (verdict == ClosureTruth::kBorderline) continue;
+    const bool is_first_to_tell = judgement.verdict == ClosureTruth::kBorderline;
     if (!is_first_to_tell && judgement.verdict != verdict) {
-      judgement.verdict = ClosureVerdict::kDisputed;
+      judgement.verdict = ClosureTruth::kDisputed;
       break;
     }
     judgement.verdict = verdict;
@@ -70,7 +70,7 @@ ClosureJudgement judge_closure(const LoopClosure& closure,
 }
 
 std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closures,
-                                             const ExpectedPoses& expected,
+                                             const ReferencePoses& expected,
                                              const PoseIndex& trajectory,
                                              const ClosureLimits& limits) {
   std::vector<ClosureJudgement> judgements;
@@ -85,10 +85,10 @@ std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closur
   return judgements;
 }
 
-ExpectedPoses expected_from_trajectory(const Trajectory& truth, double max_time_difference_s) {
+ReferencePoses expected_from_trajectory(const Trajectory& truth, double max_time_difference_s) {
   const auto tolerance_ns = static_cast<std::int64_t>(std::llround(1e9 * max_time_difference_s));
   return [poses = PoseIndex(truth), tolerance_ns](Timestamp stamp_i,
-                                                  Timestamp stamp_j) -> std::vector<ExpectedPose> {
+                                                  Timestamp stamp_j) -> std::vector<ReferencePose> {
     const auto i = poses.find(stamp_i, tolerance_ns);
     const auto j = poses.find(stamp_j, tolerance_ns);
     if (!i || !j) return {};

@@ -35,7 +35,7 @@ struct ClosureError {
                                          const Pose2& T_i_j,
                                          double heading_i_rad);
 
-enum class ClosureVerdict {
+enum class ClosureTruth {
   kRight,
   kWrong,
   kBorderline,  ///< Nearer to the limits than the reference's own noise (two sigma).
@@ -45,39 +45,39 @@ enum class ClosureVerdict {
 
 /// T_i_j as a reference tells it, and how well it knows: one sigma of its position, along either
 /// axis, and of its heading.
-struct ExpectedPose {
+struct ReferencePose {
   Pose2 T_i_j;
   double translation_sigma_m = 0.0;
   double rotation_sigma_rad = 0.0;
 };
 
 struct ClosureJudgement {
-  ClosureVerdict verdict = ClosureVerdict::kUnjudged;
+  ClosureTruth verdict = ClosureTruth::kUnjudged;
   ClosureError error;  ///< Against the first of the expected poses; 0 where unjudged.
 };
 
 /// The pose of stamp_j seen from stamp_i: none, one or several independent ones, the most certain
 /// first.
-using ExpectedPoses = std::function<std::vector<ExpectedPose>(Timestamp, Timestamp)>;
+using ReferencePoses = std::function<std::vector<ReferencePose>(Timestamp, Timestamp)>;
 
 /// Right or wrong where one of the expected poses says so by two sigma and none says the contrary;
 /// else borderline or disputed. `heading_i_rad` as in closure_error(); where it is missing, a
 /// closure of a single axis is unjudged.
 [[nodiscard]] ClosureJudgement judge_closure(const LoopClosure& closure,
-                                             std::span<const ExpectedPose> expected,
+                                             std::span<const ReferencePose> expected,
                                              std::optional<double> heading_i_rad,
                                              const ClosureLimits& limits = {});
 
 /// Judges each closure. `trajectory` gives the headings in the map that closures of a single axis
 /// need; without its heading such a closure stays unjudged.
 [[nodiscard]] std::vector<ClosureJudgement> judge_closures(std::span<const LoopClosure> closures,
-                                                           const ExpectedPoses& expected,
+                                                           const ReferencePoses& expected,
                                                            const PoseIndex& trajectory,
                                                            const ClosureLimits& limits = {});
 
 /// The reference is a trajectory: T_i_j by its poses nearest in time, at most
 /// `max_time_difference_s` away.
-[[nodiscard]] ExpectedPoses expected_from_trajectory(const Trajectory& truth,
-                                                     double max_time_difference_s);
+[[nodiscard]] ReferencePoses expected_from_trajectory(const Trajectory& truth,
+                                                      double max_time_difference_s);
 
 }  // namespace setsquare

@@ -6,22 +6,22 @@
 
 namespace setsquare {
 
-void add_verdict(ClosureVerdict verdict, ClosureCounts& counts) {
+void add_verdict(ClosureTruth verdict, ClosureCounts& counts) {
   ++counts.num_closures;
   switch (verdict) {
-    case ClosureVerdict::kRight:
+    case ClosureTruth::kRight:
       ++counts.num_right;
       break;
-    case ClosureVerdict::kWrong:
+    case ClosureTruth::kWrong:
       ++counts.num_wrong;
       break;
-    case ClosureVerdict::kBorderline:
+    case ClosureTruth::kBorderline:
       ++counts.num_borderline;
       break;
-    case ClosureVerdict::kDisputed:
+    case ClosureTruth::kDisputed:
       ++counts.num_disputed;
       break;
-    case ClosureVerdict::kUnjudged:
+    case ClosureTruth::kUnjudged:
       ++counts.num_unjudged;
       break;
   }
@@ -33,10 +33,10 @@ ClosureSummary summarise_closures(std::span<const LoopClosure> closures,
   ClosureSummary summary;
   for (std::size_t k = 0; k < closures.size(); ++k) {
     const bool is_accepted = closures[k].is_accepted;
-    const ClosureVerdict verdict = judgements[k].verdict;
+    const ClosureTruth verdict = judgements[k].verdict;
     add_verdict(verdict, is_accepted ? summary.accepted : summary.refused);
     const bool is_heavy = closures[k].weight > kHeavyClosure;
-    if (is_accepted && is_heavy && verdict == ClosureVerdict::kWrong) ++summary.num_heavy_wrong;
+    if (is_accepted && is_heavy && verdict == ClosureTruth::kWrong) ++summary.num_heavy_wrong;
   }
   return summary;
 }

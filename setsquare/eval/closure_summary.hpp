@@ -22,7 +22,7 @@ struct ClosureCounts {
 };
 
 /// Counts one more closure.
-void add_verdict(ClosureVerdict verdict, ClosureCounts& counts);
+void add_verdict(ClosureTruth verdict, ClosureCounts& counts);
 
 struct ClosureSummary {
   ClosureCounts accepted;

@@ -88,7 +88,7 @@ std::vector<LoopClosure> closures_of(const Trajectory& truth) {
   return closures;
 }
 
-ExpectedPoses expected_of(const ChainedReference& reference) {
+ReferencePoses expected_of(const ChainedReference& reference) {
   return [&reference](Timestamp i, Timestamp j) { return reference.expected(i, j); };
 }
 
@@ -107,11 +107,10 @@ TEST(ChainedReference, FindsThePlantedWrongClosuresAndNoOthers) {
   const auto judgements = judge_closures(closures, expected_of(reference), PoseIndex(map));
   std::size_t num_judged = 0;
   for (std::size_t k = 0; k < closures.size(); ++k) {
-    if (judgements[k].verdict == ClosureVerdict::kUnjudged) continue;
-    if (judgements[k].verdict == ClosureVerdict::kBorderline) continue;
+    if (judgements[k].verdict == ClosureTruth::kUnjudged) continue;
+    if (judgements[k].verdict == ClosureTruth::kBorderline) continue;
     ++num_judged;
-    EXPECT_EQ(judgements[k].verdict,
-              is_planted[k] ? ClosureVerdict::kWrong : ClosureVerdict::kRight)
+    EXPECT_EQ(judgements[k].verdict, is_planted[k] ? ClosureTruth::kWrong : ClosureTruth::kRight)
         << k;
   }
   EXPECT_GT(num_judged, closures.size() * 9 / 10);

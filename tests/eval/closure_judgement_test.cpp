@@ -23,19 +23,19 @@ LoopClosure closure_of(const Pose2& T_i_j, ClosureAxes axes = ClosureAxes::kXY) 
 }
 
 /// Poses known exactly.
-std::vector<ExpectedPose> exact(const std::vector<Pose2>& poses) {
-  std::vector<ExpectedPose> expected;
+std::vector<ReferencePose> exact(const std::vector<Pose2>& poses) {
+  std::vector<ReferencePose> expected;
   for (const Pose2& pose : poses) expected.push_back({pose});
   return expected;
 }
 
-ExpectedPoses always(const std::vector<ExpectedPose>& poses) {
+ReferencePoses always(const std::vector<ReferencePose>& poses) {
   return [poses](Timestamp, Timestamp) { return poses; };
 }
 
-ClosureVerdict verdict_of(const LoopClosure& closure,
-                          const std::vector<Pose2>& expected,
-                          const Trajectory& trajectory = {}) {
+ClosureTruth verdict_of(const LoopClosure& closure,
+                        const std::vector<Pose2>& expected,
+                        const Trajectory& trajectory = {}) {
   return judge_closures({&closure, 1}, always(exact(expected)), PoseIndex(trajectory))
       .front()
       .verdict;
@@ -65,66 +65,64 @@ TEST(ClosureError, OfASingleAxisIsThatAlongTheMapsAxis) {
               1e-12);
 }
 
-TEST(ClosureVerdict, RightUpToTheLimitsAndWrongBeyond) {
+TEST(ClosureTruth, RightUpToTheLimitsAndWrongBeyond) {
   const Pose2 truth = {1.0, 0.0, 0.0};
-  EXPECT_EQ(verdict_of(closure_of({1.29, 0.0, 0.0}), {truth}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict_of(closure_of({1.0, -0.31, 0.0}), {truth}), ClosureVerdict::kWrong);
-  EXPECT_EQ(verdict_of(closure_of({1.0, 0.0, rad_from_deg(4.9)}), {truth}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict_of(closure_of({1.0, 0.0, rad_from_deg(-5.1)}), {truth}),
-            ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict_of(closure_of({1.29, 0.0, 0.0}), {truth}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict_of(closure_of({1.0, -0.31, 0.0}), {truth}), ClosureTruth::kWrong);
+  EXPECT_EQ(verdict_of(closure_of({1.0, 0.0, rad_from_deg(4.9)}), {truth}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict_of(closure_of({1.0, 0.0, rad_from_deg(-5.1)}), {truth}), ClosureTruth::kWrong);
 }
 
-TEST(ClosureVerdict, WhereTheReferenceIsSilentOrDividedThereIsNone) {
+TEST(ClosureTruth, WhereTheReferenceIsSilentOrDividedThereIsNone) {
   const LoopClosure closure = closure_of({1.2, 0.0, 0.0});
-  EXPECT_EQ(verdict_of(closure, {}), ClosureVerdict::kUnjudged);
-  EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {1.1, 0.0, 0.0}}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureVerdict::kDisputed);
-  EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}}), ClosureVerdict::kDisputed);
-  EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict_of(closure, {}), ClosureTruth::kUnjudged);
+  EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {1.1, 0.0, 0.0}}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureTruth::kDisputed);
+  EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {1.0, 0.0, 0.0}}), ClosureTruth::kDisputed);
+  EXPECT_EQ(verdict_of(closure, {{0.5, 0.0, 0.0}, {0.8, 0.0, 0.0}}), ClosureTruth::kWrong);
 }
 
 // One sigma of 0.04 m and 0.5 deg: sure below 0.22 m and 4 deg, sure above 0.38 m or 6 deg.
-TEST(ClosureVerdict, NearTheLimitsTheNoiseOfTheReferenceDecidesNothing) {
+TEST(ClosureTruth, NearTheLimitsTheNoiseOfTheReferenceDecidesNothing) {
   const auto verdict = [](const Pose2& T_i_j) {
-    const ExpectedPose zero = {{}, 0.04, rad_from_deg(0.5)};
+    const ReferencePose zero = {{}, 0.04, rad_from_deg(0.5)};
     return judge_closure(closure_of(T_i_j), {&zero, 1}, std::nullopt).verdict;
   };
-  EXPECT_EQ(verdict({0.21, 0, 0}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict({0.23, 0, 0}), ClosureVerdict::kBorderline);
-  EXPECT_EQ(verdict({0.37, 0, 0}), ClosureVerdict::kBorderline);
-  EXPECT_EQ(verdict({0.39, 0, 0}), ClosureVerdict::kWrong);
-  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(3.9)}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(-4.1)}), ClosureVerdict::kBorderline);
-  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(6.1)}), ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict({0.21, 0, 0}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict({0.23, 0, 0}), ClosureTruth::kBorderline);
+  EXPECT_EQ(verdict({0.37, 0, 0}), ClosureTruth::kBorderline);
+  EXPECT_EQ(verdict({0.39, 0, 0}), ClosureTruth::kWrong);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(3.9)}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(-4.1)}), ClosureTruth::kBorderline);
+  EXPECT_EQ(verdict({0.1, 0, rad_from_deg(6.1)}), ClosureTruth::kWrong);
 }
 
-TEST(ClosureVerdict, WhoIsNotSureLeavesItToTheOther) {
+TEST(ClosureTruth, WhoIsNotSureLeavesItToTheOther) {
   const LoopClosure closure = closure_of({0.3, 0, 0});
-  const ExpectedPose unsure = {{}, 0.1, 0.0};
-  const ExpectedPose surely_right = {{0.2, 0, 0}, 0.05, 0.0};
-  const ExpectedPose surely_wrong = {{-0.2, 0, 0}, 0.05, 0.0};
-  const auto verdict = [&closure](const std::vector<ExpectedPose>& expected) {
+  const ReferencePose unsure = {{}, 0.1, 0.0};
+  const ReferencePose surely_right = {{0.2, 0, 0}, 0.05, 0.0};
+  const ReferencePose surely_wrong = {{-0.2, 0, 0}, 0.05, 0.0};
+  const auto verdict = [&closure](const std::vector<ReferencePose>& expected) {
     return judge_closure(closure, expected, std::nullopt).verdict;
   };
-  EXPECT_EQ(verdict({unsure, unsure}), ClosureVerdict::kBorderline);
-  EXPECT_EQ(verdict({unsure, surely_right}), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict({surely_wrong, unsure}), ClosureVerdict::kWrong);
-  EXPECT_EQ(verdict({surely_wrong, surely_right}), ClosureVerdict::kDisputed);
+  EXPECT_EQ(verdict({unsure, unsure}), ClosureTruth::kBorderline);
+  EXPECT_EQ(verdict({unsure, surely_right}), ClosureTruth::kRight);
+  EXPECT_EQ(verdict({surely_wrong, unsure}), ClosureTruth::kWrong);
+  EXPECT_EQ(verdict({surely_wrong, surely_right}), ClosureTruth::kDisputed);
 }
 
 // Metres off along a corridor that runs along the map's y are no fault of a closure that binds x.
-TEST(ClosureVerdict, ASingleAxisNeedsTheHeadingInTheMap) {
+TEST(ClosureTruth, ASingleAxisNeedsTheHeadingInTheMap) {
   const Trajectory map = {{stamp_at(1), {9, 9, kPi / 2}}, {stamp_at(2), {9, 9, 0.3}}};
   const LoopClosure along = closure_of({4.0, 0.1, 0.0}, ClosureAxes::kX);
-  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.0}}, map), ClosureVerdict::kRight);
-  EXPECT_EQ(verdict_of(along, {{1.0, 0.5, 0.0}}, map), ClosureVerdict::kWrong);
-  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.1}}, map), ClosureVerdict::kWrong) << "turned";
-  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.0}}), ClosureVerdict::kUnjudged) << "no heading";
-  EXPECT_EQ(verdict_of(closure_of({4.0, 0.1, 0.0}), {{1.0, 0.0, 0.0}}, map),
-            ClosureVerdict::kWrong);
+  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.0}}, map), ClosureTruth::kRight);
+  EXPECT_EQ(verdict_of(along, {{1.0, 0.5, 0.0}}, map), ClosureTruth::kWrong);
+  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.1}}, map), ClosureTruth::kWrong) << "turned";
+  EXPECT_EQ(verdict_of(along, {{1.0, 0.0, 0.0}}), ClosureTruth::kUnjudged) << "no heading";
+  EXPECT_EQ(verdict_of(closure_of({4.0, 0.1, 0.0}), {{1.0, 0.0, 0.0}}, map), ClosureTruth::kWrong);
 }
 
-TEST(ClosureVerdict, AgainstATrueTrajectoryThePlantedWrongOneIsFound) {
+TEST(ClosureTruth, AgainstATrueTrajectoryThePlantedWrongOneIsFound) {
   auto generator = testing::make_generator();
   const Trajectory truth = testing::random_trajectory(generator, 50);
   std::vector<LoopClosure> closures;
@@ -145,15 +143,15 @@ TEST(ClosureVerdict, AgainstATrueTrajectoryThePlantedWrongOneIsFound) {
   const auto judgements =
       judge_closures(closures, expected_from_trajectory(elsewhere, 0.02), PoseIndex({}));
   for (std::size_t k = 0; k < closures.size(); ++k) {
-    const ClosureVerdict expected = k == 17 || k == 23 ? ClosureVerdict::kWrong
-                                    : k == 40          ? ClosureVerdict::kUnjudged
-                                                       : ClosureVerdict::kRight;
+    const ClosureTruth expected = k == 17 || k == 23 ? ClosureTruth::kWrong
+                                  : k == 40          ? ClosureTruth::kUnjudged
+                                                     : ClosureTruth::kRight;
     EXPECT_EQ(judgements[k].verdict, expected) << k;
   }
 }
 
 TEST(ClosureSummary, CountsAcceptedAndRefusedApart) {
-  using enum ClosureVerdict;
+  using enum ClosureTruth;
   const auto judged = [](bool is_accepted, double weight) {
     return LoopClosure{stamp_at(1), stamp_at(2), {}, ClosureAxes::kXY, is_accepted, weight, ""};
   };

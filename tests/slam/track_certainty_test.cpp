@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/slam/track_certainty.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "setsquare/slam/mapper.hpp"
+#include "tests/slam/simulated_drive.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::drive;
+using testing::scans_on_drive;
+using testing::Wall;
+
+/// Two rooms, 30 m apart, and a corridor between them that shows nothing along its middle: the
+/// scanner sees 8 m far.
+std::vector<Wall> rooms_and_corridor() {
+  return {{0.0, 0.0, 4.0, 0.0},
+          {4.0, 0.0, 4.0, 1.0},
+          {4.0, 1.0, 34.0, 1.0},
+          {34.0, 1.0, 34.0, 0.0},
+          {34.0, 0.0, 38.0, 0.0},
+          {38.0, 0.0, 38.0, 4.0},
+          {38.0, 4.0, 34.0, 4.0},
+          {34.0, 4.0, 34.0, 3.0},
+          {34.0, 3.0, 4.0, 3.0},
+          {4.0, 3.0, 4.0, 4.0},
+          {4.0, 4.0, 0.0, 4.0},
+          {0.0, 4.0, 0.0, 0.0}};
+}
+
+/// A robot drives from room to room; what is farther than 8 m gives no return.
+MappedTrack map_of_corridor(bool has_odometry) {
+  const std::vector<Pose2> truth = drive({{1.0, 2.0}, {37.0, 2.0}});
+  std::vector<Scan> scans = scans_on_drive(rooms_and_corridor(), truth, 0.005);
+  Mapper mapper;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    for (double& range_m : scans[i].ranges_m) {
+      if (range_m > 8.0) range_m = std::numeric_limits<double>::infinity();
+    }
+    mapper.add(scans[i], has_odometry ? std::optional(truth[i]) : std::nullopt);
+  }
+  return mapper.finish();
+}
+
+TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
+  const MappedTrack track = map_of_corridor(false);
+  const std::vector<OpenStretch> stretches = open_stretches(track);
+  ASSERT_FALSE(stretches.empty());
+  double way_m = 0.0;
+  for (const OpenStretch& stretch : stretches) {
+    way_m += stretch.way_m;
+    EXPECT_FALSE(stretch.has_odometry);
+    EXPECT_NEAR(wrap_to_period(stretch.direction_rad, kPi), 0.0, rad_from_deg(2.0));
+    // A share of the way, not millimetres: nobody has seen it.
+    EXPECT_GT(stretch.length_sigma_m, 0.02 * stretch.way_m);
+  }
+  EXPECT_GT(way_m, 8.0) << "from where neither room is seen until the other one is";
+  for (const MappedScan& scan : track.scans) {
+    EXPECT_NEAR(scan.T_map_sensor.theta_rad, 0.0, rad_from_deg(0.5));
+  }
+}
+
+TEST(TrackCertainty, OdometryTellsTheLength) {
+  const auto worst_sigma_m = [](const MappedTrack& track) {
+    double worst_m = 0.0;
+    for (const OpenStretch& stretch : open_stretches(track)) {
+      worst_m = std::max(worst_m, stretch.length_sigma_m);
+    }
+    return worst_m;
+  };
+  const MappedTrack with = map_of_corridor(true);
+  EXPECT_LT(worst_sigma_m(with), 0.5 * worst_sigma_m(map_of_corridor(false)));
+  for (const OpenStretch& stretch : open_stretches(with)) EXPECT_TRUE(stretch.has_odometry);
+}
+
+TEST(TrackCertainty, PositionsGrowUncertainAlongTheCorridor) {
+  const MappedTrack track = map_of_corridor(false);
+  const std::vector<double> sigmas_m = position_sigmas_m(track);
+  ASSERT_EQ(sigmas_m.size(), track.scans.size());
+  EXPECT_LT(sigmas_m.front(), 0.01);
+  EXPECT_GT(sigmas_m.back(), 0.1);
+  for (std::size_t i = 1; i < sigmas_m.size(); ++i) {
+    EXPECT_GE(sigmas_m[i], sigmas_m[i - 1] - 1e-3) << "no loop is closed";
+  }
+}
+
+TEST(TrackCertainty, OfPiecesThatAreNotJoinedNothingIsKnown) {
+  MappedTrack track = map_of_corridor(false);
+  const std::size_t middle = track.scans.size() / 2;
+  track.pieces = {{0, middle, true}, {middle, track.scans.size() - middle, false}};
+  const std::vector<double> sigmas_m = position_sigmas_m(track);
+  EXPECT_TRUE(std::isfinite(sigmas_m[middle - 1]));
+  EXPECT_TRUE(std::isinf(sigmas_m[middle]));
+  EXPECT_TRUE(std::isinf(sigmas_m.back()));
+}
+
+TEST(TrackCertainty, NoGraphNoCertainty) {
+  EXPECT_TRUE(position_sigmas_m({}).empty());
+  EXPECT_TRUE(open_stretches({}).empty());
+}
+
+}  // namespace
+}  // namespace setsquare
