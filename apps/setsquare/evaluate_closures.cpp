@@ -62,7 +62,7 @@ void require_known_stamps(const std::string& path,
   throw FormatError(path, "", "no line has both its stamps in the trajectory");
 }
 
-ExpectedPoses expected_poses(const ClosuresOptions& options,
+ReferencePoses expected_poses(const ClosuresOptions& options,
                              ReferenceKind kind,
                              const std::vector<LoopClosure>& closures,
                              const Trajectory& map_trajectory) {
@@ -98,7 +98,7 @@ void evaluate_closures(const ClosuresOptions& options) {
   const std::vector<LoopClosure> closures = read_closures_tsv(options.closures_path);
   const ReferenceKind kind = options.kind ? *options.kind : reference_kind(options.reference_path);
   const Trajectory map_trajectory = read_map_trajectory(options, kind);
-  const ExpectedPoses expected = expected_poses(options, kind, closures, map_trajectory);
+  const ReferencePoses expected = expected_poses(options, kind, closures, map_trajectory);
   const auto judgements = judge_closures(closures, expected, PoseIndex(map_trajectory));
   const ClosureSummary summary = summarise_closures(closures, judgements);
   if (options.is_json) {
