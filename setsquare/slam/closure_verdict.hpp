@@ -14,7 +14,7 @@ namespace setsquare {
 struct ClosureVerdictParams {
   double min_score = 0.35;
   double max_contradiction = 0.10;
-  double min_margin = 0.10;            ///< Of the score, over the runner-up's.
+  double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
   double min_effective_points = 10.0;  ///< Along the weak direction; below, it is left open.
   double max_weak_share = 0.2;         ///< Of a direction that is left open, in all points.
   double max_runner_up_rad = 0.3;      ///< A runner-up along the open direction does no harm.

@@ -70,8 +70,10 @@ class Comparison {
     const double explained = forward.num_explained + backward.num_explained;
     const double contradicted = forward.num_contradicted + backward.num_contradicted;
     const auto total = static_cast<double>(current_.fine.size() + reference_.fine.size());
-    fit.score = (explained - params_.contradiction_weight * contradicted) /
-                std::max({1.0, compared, params_.min_compared * total});
+    const double least = std::max(1.0, params_.min_compared * total);
+    const double gain = explained - params_.contradiction_weight * contradicted;
+    fit.score = gain / std::max(compared, least);
+    fit.agreement = gain / std::max(explained + contradicted, least);
     fit.contradiction = contradicted / std::max(1.0, explained + contradicted);
     return fit;
   }
@@ -151,8 +153,8 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
   match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
   for (const SubmapFitBothWays& fit : fits) {
     if (distance_m(fit, match.best) < params.distinct_m) continue;
-    match.runner_up = fit;
-    break;
+    if (!match.runner_up) match.runner_up = fit;
+    if (!match.rival || fit.agreement > match.rival->agreement) match.rival = fit;
   }
   return match;
 }

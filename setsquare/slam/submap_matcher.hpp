@@ -39,12 +39,16 @@ struct SubmapFitBothWays {
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< Likewise.
   double score = -1.0;         ///< Explained less contradicted, of the points compared; at most 1.
   double contradiction = 0.0;  ///< Contradicted points as a share of those that tell.
+  /// As the score, but of the points that tell: what the other hides behind its surfaces counts for
+  /// nothing. Alike places agree alike, from wherever they are seen.
+  double agreement = -1.0;
 };
 
 /// Where a submap lies in another.
 struct SubmapMatch {
   SubmapFitBothWays best;
-  std::optional<SubmapFitBothWays> runner_up;  ///< The best that is distinct from it.
+  std::optional<SubmapFitBothWays> runner_up;  ///< The best by score that is distinct from it.
+  std::optional<SubmapFitBothWays> rival;      ///< Of the same, the best by agreement.
   WeakDirection weak;                          ///< In the reference's frame.
 };
 

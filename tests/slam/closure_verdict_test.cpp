@@ -30,6 +30,7 @@ SubmapMatch good_match() {
   SubmapMatch match;
   match.best.T_reference_current = {1.0, 2.0, 0.3};
   match.best.score = 0.8;
+  match.best.agreement = 0.95;
   match.best.contradiction = 0.02;
   bind(match, 0.0, 200.0, 100.0);
   return match;
@@ -82,6 +83,16 @@ TEST(ClosureVerdict, ARunnerUpWithinTheMarginMakesItAmbiguous) {
   EXPECT_EQ(reason_of(match), ClosureReason::kStandsAlone);
 }
 
+TEST(ClosureVerdict, ARivalThatAgreesAsWellMakesItAmbiguous) {
+  // However much more of it is hidden, so that its score is low.
+  SubmapMatch match = good_match();
+  match.rival = rival_at(match, 0.4, 0.3);
+  match.rival->agreement = match.best.agreement - kParams.min_margin + 1e-6;
+  EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
+  match.rival->agreement = match.best.agreement - kParams.min_margin - 1e-6;
+  EXPECT_EQ(reason_of(match), ClosureReason::kStandsAlone);
+}
+
 TEST(ClosureVerdict, ACorridorBindsOneAxis) {
   // Whatever the reference's heading, the axis that the map leaves open tells.
   for (const double heading_rad : {0.0, 0.9, -2.0}) {
@@ -111,6 +122,16 @@ TEST(ClosureVerdict, InACorridorARunnerUpAlongItDoesNoHarm) {
   EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
   match.runner_up = rival_at(match, kParams.max_runner_up_rad + 0.01, match.best.score);
   EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
+}
+
+TEST(ClosureVerdict, InACorridorARivalAcrossItDoesHarm) {
+  SubmapMatch match = corridor_match(0.0);
+  match.rival = rival_at(match, 0.0, 0.3);
+  EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
+  match.rival = rival_at(match, 1.0, 0.3);
+  EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
+  match.rival->agreement = 0.5;
+  EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
 }
 
 TEST(ClosureVerdict, FewPointsAllAroundAreNoCorridor) {

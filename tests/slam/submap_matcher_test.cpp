@@ -148,6 +148,43 @@ TEST(SubmapMatcher, ABareCorridorIsOpenAlongItself) {
   EXPECT_EQ(verdict.axes, ClosureAxes::kY);
 }
 
+/// A corridor with a niche every 2 m on either side: moved by 2 m it is the same.
+std::vector<testing::Wall> corridor_of_niches() {
+  std::vector<testing::Wall> walls;
+  for (int k = -20; k < 20; ++k) {
+    const double x_m = 2.0 * k;
+    for (const double side : {-1.0, 1.0}) {
+      walls.push_back({x_m, side, x_m + 1.3, side});
+      walls.push_back({x_m + 1.3, side, x_m + 1.3, 1.3 * side});
+      walls.push_back({x_m + 1.3, 1.3 * side, x_m + 2.0, 1.3 * side});
+      walls.push_back({x_m + 2.0, 1.3 * side, x_m + 2.0, side});
+    }
+  }
+  return walls;
+}
+
+TEST(SubmapMatcher, WhereAllNichesAreAlikeNothingStandsAlone) {
+  // Where two views stand farther apart more of each is hidden from the other: the score is lower,
+  // as right as the place may be. The agreement is not.
+  std::mt19937_64 generator = testing::make_generator();
+  const SurveyedWorld world(corridor_of_niches(), {{-8.0, 0.1}, {8.0, -0.1}, {-8.0, 0.2}});
+  const std::size_t half = world.poses.size() / 2;
+  for (int num_tried = 0; num_tried < 40;) {
+    const std::size_t from = 4 + generator() % (half - 8);
+    const std::size_t to = half + 4 + generator() % (half - 8);
+    Pose2 expected = between(world.poses[from], world.poses[to]);
+    if (expected.translation().norm() > 4.0) continue;
+    ++num_tried;
+    expected.x_m += uniform(generator, -1.5, 1.5);
+    const auto match = match_submaps(world.about(from), world.about(to), {expected, 2.5});
+    ASSERT_TRUE(match && match->rival);
+    EXPECT_LT(match->best.agreement - match->rival->agreement, ClosureVerdictParams{}.min_margin);
+    EXPECT_NE(closure_verdict(*match, world.poses[from].theta_rad).reason,
+              ClosureReason::kStandsAlone)
+        << from << " to " << to;
+  }
+}
+
 TEST(SubmapMatcher, RefusesParametersThatAreNone) {
   EXPECT_THROW(SubmapMatchParams{.max_num_proposals = 0}.validate(), ParameterError);
   EXPECT_THROW(SubmapMatchParams{.heading_weight = -1.0}.validate(), ParameterError);
