@@ -34,7 +34,7 @@ struct MapErrors {
   std::size_t num_pieces = 0;
   std::size_t num_unjoined = 0;  ///< Pieces of track of which nobody knows where they lie.
   std::size_t num_lost = 0;      ///< Scans that tracking did not place.
-  ClosureCounts closures;
+  ClosureCounts closures = {};
 };
 
 /// `truth`: T_map_base, one a scan of the track, of which there is at least one.

@@ -7,6 +7,7 @@
 
 #include "experiments/chain_errors.hpp"
 #include "experiments/circuit_study.hpp"
+#include "experiments/map_errors.hpp"
 #include "experiments/scan_chain.hpp"
 
 namespace setsquare::experiments {
@@ -138,6 +139,96 @@ TEST(JudgeHeadings, NamesTheSeedsThatEndWrongly) {
   ASSERT_EQ(judgement.failing.size(), 1U);
   EXPECT_EQ(judgement.failing.front()->seed, 2U);
   EXPECT_TRUE(judge_headings(study, &CircuitRun::paper_literal).failing.empty());
+}
+
+MappedClosure closure_between(std::size_t i, std::size_t j, const Pose2& T_i_j, ClosureAxes axes) {
+  MappedClosure mapped;
+  mapped.scan_i = i;
+  mapped.scan_j = j;
+  mapped.closure.T_i_j = T_i_j;
+  mapped.closure.axes = axes;
+  mapped.closure.is_accepted = true;
+  mapped.closure.weight = 1.0;
+  return mapped;
+}
+
+MappedTrack track_along(const std::vector<Pose2>& poses) {
+  MappedTrack track;
+  for (const Pose2& pose : poses) {
+    MappedScan scan;
+    scan.T_map_base = pose;
+    track.scans.push_back(scan);
+  }
+  track.pieces.push_back({0, poses.size(), true});
+  return track;
+}
+
+TEST(MapErrors, OfAMapInAnotherFrameAreThoseOfItsShape) {
+  const std::vector<Pose2> truth = square_track(0.4);
+  const Pose2 T_map_truth{3.0, -8.0, 2.0};
+  std::vector<Pose2> poses;
+  for (const Pose2& pose : truth) poses.push_back(T_map_truth * pose);
+  MapErrors errors = map_errors(track_along(poses), truth);
+  EXPECT_LT(errors.first_final_m, 1e-9);
+  EXPECT_LT(errors.highest_m, 1e-9);
+  EXPECT_LT(errors.heading_highest_rad, 1e-9);
+  // A first pose that is off by its heading turns the map about itself, and no other error.
+  poses.front().theta_rad += 0.01;
+  errors = map_errors(track_along(poses), truth);
+  EXPECT_GT(errors.first_mean_m, 0.05);
+  EXPECT_LT(errors.highest_m, 1e-9);
+}
+
+TEST(MapErrors, ClosuresAreJudgedAlongTheAxesThatTheyBind) {
+  const std::vector<Pose2> truth = square_track(0.0);
+  MappedTrack track = track_along(truth);
+  const Pose2 T_i_j = truth[2].inverse() * truth[80];
+  const Pose2 off{T_i_j.x_m + 0.4, T_i_j.y_m, T_i_j.theta_rad};
+  track.closures.push_back(closure_between(2, 80, T_i_j, ClosureAxes::kXY));
+  track.closures.push_back(closure_between(2, 80, off, ClosureAxes::kXY));
+  track.closures.push_back(closure_between(2, 80, off, ClosureAxes::kX));
+  track.closures.push_back(closure_between(2, 80, off, ClosureAxes::kY));
+  track.closures.back().closure.weight = 0.1;
+  track.closures.push_back(track.closures[1]);
+  track.closures.back().closure.weight = 0.1;
+  track.closures.push_back(track.closures[1]);
+  track.closures.back().closure.is_accepted = false;
+  const ClosureCounts counts = map_errors(track, truth).closures;
+  EXPECT_EQ(counts.num_accepted, 5U);
+  EXPECT_EQ(counts.num_wrong, 3U);
+  EXPECT_EQ(counts.num_wrong_heavy, 2U);
+}
+
+TEST(MapMedians, AreOfTheSeedsWithTheWorstBesideThem) {
+  CircuitStudy study;
+  study.runs.resize(3);
+  study.runs[0].mapper_errors = {.first_mean_m = 0.03, .first_final_m = 0.1};
+  study.runs[1].mapper_errors = {.first_mean_m = 0.01, .first_final_m = 0.5};
+  study.runs[2].mapper_errors = {.first_mean_m = 0.09, .first_final_m = 0.2};
+  const MapMedians medians = map_medians(study, &CircuitRun::mapper_errors);
+  EXPECT_EQ(medians.final_m, 0.2);
+  EXPECT_EQ(medians.worst_final_m, 0.5);
+  EXPECT_EQ(medians.mean_m, 0.03);
+  EXPECT_EQ(medians.worst_mean_m, 0.09);
+}
+
+/// The first 120 m of the large building.
+TEST(CircuitStudy, TheFullMapperMapsTheLargeBuilding) {
+  CircuitStudyParams params;
+  params.num_seeds = 1;
+  params.max_num_scans = 300;
+  const CircuitStudy study = study_circuits(params, 1);
+  const CircuitRun& run = study.runs.front();
+  ASSERT_EQ(run.mapper.chain.T_map_base.size(), 300U);
+  for (const MapErrors* errors : {&run.mapper_errors, &run.wheeled_errors}) {
+    EXPECT_LT(errors->highest_m, 0.10);
+    EXPECT_LT(errors->first_final_m, 0.25);
+    EXPECT_LT(deg_from_rad(errors->heading_mean_rad), 0.1);
+    EXPECT_EQ(errors->closures.num_wrong, 0U);
+    EXPECT_EQ(errors->num_unjoined, 0U);
+  }
+  EXPECT_GT(study.mapper_map.size(), 1000U);
+  EXPECT_NE(study.mapper_map, study.default_map);
 }
 
 TEST(ChainErrors, TheAxisOfAPlanIsThatOfItsWalls) {
