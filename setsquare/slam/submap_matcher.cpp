@@ -120,6 +120,18 @@ std::vector<Pose2> propose(const Submap& reference,
   return starts;
 }
 
+/// The best that stays within the window while it settles. `fits`: best first.
+std::optional<SubmapFitBothWays> settle_best(const std::vector<SubmapFitBothWays>& fits,
+                                             Comparison& comparison,
+                                             const SubmapMatchParams& params) {
+  for (const SubmapFitBothWays& fit : fits) {
+    const auto settled =
+        comparison.refine(fit.T_reference_current, params.settling, params.num_settling_steps);
+    if (comparison.is_in_window(settled.T_reference_current)) return settled;
+  }
+  return std::nullopt;
+}
+
 double distance_m(const SubmapFitBothWays& a, const SubmapFitBothWays& b) {
   return (a.T_reference_current.translation() - b.T_reference_current.translation()).norm();
 }
@@ -143,13 +155,14 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
     const auto fit = comparison.refine(start, params.catching, params.num_catching_steps);
     if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
   }
-  if (fits.empty()) return std::nullopt;
   std::stable_sort(
       fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
 
+  const auto settled = settle_best(fits, comparison, params);
+  if (!settled) return std::nullopt;
+
   SubmapMatch match;
-  match.best = comparison.refine(
-      fits.front().T_reference_current, params.settling, params.num_settling_steps);
+  match.best = *settled;
   match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
   for (const SubmapFitBothWays& fit : fits) {
     if (distance_m(fit, match.best) < params.distinct_m) continue;
