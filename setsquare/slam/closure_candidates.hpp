@@ -20,7 +20,7 @@ struct ClosureCandidateParams {
   double window_m = 0.3;
   double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
   double max_window_m = 6.0;       ///< At most: of which correlation grids are capable.
-  double sigma_way = 20.0;         ///< A motion's sigma counts as so much way, in m per m.
+  double slip_way = 50.0;          ///< What a motion may have slipped counts as so many times way.
   double closure_way_m = 1.0;      ///< Length of a closure in the graph.
 
   /// Throws ParameterError that names the field.
@@ -41,9 +41,9 @@ class ClosureCandidates {
  public:
   explicit ClosureCandidates(const ClosureCandidateParams& params) : params_(params) {}
 
-  /// The next station along the track; `way_m` from the one before: its length and sigma_way times
-  /// its sigma. `piece`: of the track; stations of different pieces are compared once a link joins
-  /// these.
+  /// The next station along the track; `way_m` from the one before: its length and slip_way times
+  /// what it may have slipped. `piece`: of the track; stations of different pieces are compared
+  /// once a link joins these.
   void add_station(double way_m, std::size_t piece = 0);
 
   /// A closure that binds both axes was accepted between two stations.

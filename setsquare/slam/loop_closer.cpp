@@ -22,8 +22,7 @@ double way_between(const KeyframeTrack& track,
   for (std::size_t k = from + 1; k <= to; ++k) {
     const Pose2 moved =
         track.keyframes[k - 1]->T_odom_sensor.inverse() * track.keyframes[k]->T_odom_sensor;
-    const double sigma_m = std::sqrt(track.motions[k].translation_m2.trace());
-    way_m += std::hypot(moved.x_m, moved.y_m) + params.sigma_way * sigma_m;
+    way_m += std::hypot(moved.x_m, moved.y_m) + params.slip_way * track.motions[k].slip_sigma_m;
   }
   return way_m;
 }

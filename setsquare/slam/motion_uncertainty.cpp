@@ -65,6 +65,7 @@ MotionCovariance MotionUncertainty::take() {
       (sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
       open_sigma_m_ * open_sigma_m_;
   covariance.rotation_rad2 = sigma_rad * sigma_rad + jump_variance_rad2_;
+  covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + (open_sigma_m_ * open_sigma_m_).trace());
   T_odom_keyframe_ = T_odom_last_;
   open_sigma_m_.setZero();
   jump_variance_m2_ = 0.0;

@@ -40,6 +40,9 @@ struct MotionUncertaintyParams {
 struct MotionCovariance {
   Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();
   double rotation_rad2 = 0.0;
+  /// How far the motion may be off beyond tracking's usual noise: where walls left a direction
+  /// open, or scans were lost.
+  double slip_sigma_m = 0.0;
 };
 
 /// Gathers, scan by scan, how uncertain the motion since the last keyframe is.

@@ -29,6 +29,7 @@ struct SubmapRefinementParams {
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
+  double chance_points = 1.0;  ///< So many, or fewer, are chance: a bare corridor's.
 };
 
 /// Parameters of the search along a corridor.
@@ -64,7 +65,7 @@ struct ScanTrackerParams {
   RecoveryParams recovery;
   ScanGapParams gap;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
-  PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.0};
+  PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
   /// After so many lost scans in a row the submap starts anew at the predicted pose.
   std::size_t max_lost_scans = 5;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/submap_refinement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
 
@@ -11,12 +12,28 @@ namespace {
 /// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
 constexpr double kDamping = 1e-3;
 
+/// Takes out what binds the weak direction by chance. Walls that run along it bind it all the same,
+/// by the noise of their normals, and what they say is "stay": a robot in a bare corridor would
+/// come to rest.
+Eigen::Matrix3d without_chance(const WeakDirection& weak, const SubmapRefinementParams& params) {
+  const double share = std::clamp((weak.effective_points - params.chance_points) /
+                                      (params.min_effective_points - params.chance_points),
+                                  0.0,
+                                  1.0);
+  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
+  kept.topLeftCorner<2, 2>() -=
+      (1.0 - std::sqrt(share)) * weak.direction * weak.direction.transpose();
+  return kept;
+}
+
 /// The Gauss-Newton step, with the prediction along the weak direction.
 Eigen::Vector3d step_from(const SubmapFit& fit,
                           const TrackingProblem& problem,
                           const SubmapRefinementParams& params) {
-  Eigen::Matrix3d hessian = fit.alignment.hessian + kDamping * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d gradient = fit.alignment.gradient;
+  const Eigen::Matrix3d kept = without_chance(fit.weak, params);
+  Eigen::Matrix3d hessian =
+      kept * fit.alignment.hessian * kept + kDamping * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d gradient = kept * fit.alignment.gradient;
   const double missing_points = params.min_effective_points - fit.weak.effective_points;
   if (missing_points > 0.0) {
     const double weight = problem.trust.weight * missing_points;
