@@ -50,12 +50,6 @@ class Comparison {
     return compare(T, scale);
   }
 
-  [[nodiscard]] bool is_in_window(const Pose2& T) const {
-    const Eigen::Vector2d off = T.translation() - expected_.T_reference_current.translation();
-    return off.cwiseAbs().maxCoeff() <= expected_.window_m + kWindowMargin_m;
-  }
-
- private:
   [[nodiscard]] SubmapFitBothWays compare(const Pose2& T, const AlignmentScale& scale) {
     const SubmapAlignment forward =
         align_with_submap(reference_.images, current_.fine, T, scale, marks_);
@@ -78,6 +72,12 @@ class Comparison {
     return fit;
   }
 
+  [[nodiscard]] bool is_in_window(const Pose2& T) const {
+    const Eigen::Vector2d off = T.translation() - expected_.T_reference_current.translation();
+    return off.cwiseAbs().maxCoeff() <= expected_.window_m + kWindowMargin_m;
+  }
+
+ private:
   /// The Gauss-Newton step, the rotation held near the expected one.
   [[nodiscard]] Eigen::Vector3d step_from(const SubmapFitBothWays& fit) const {
     Eigen::Matrix3d hessian = fit.hessian + kDamping * Eigen::Matrix3d::Identity();
@@ -120,6 +120,23 @@ std::vector<Pose2> propose(const Submap& reference,
   return starts;
 }
 
+/// Those of the starts that agree best as they are; none of them where even the best is hopeless.
+std::vector<Pose2> most_promising(const std::vector<Pose2>& starts,
+                                  Comparison& comparison,
+                                  const SubmapMatchParams& params) {
+  std::vector<std::pair<double, std::size_t>> costs;
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    costs.emplace_back(-comparison.compare(starts[i], params.catching).score, i);
+  }
+  std::sort(costs.begin(), costs.end());
+  std::vector<Pose2> promising;
+  for (const auto& [cost, i] : costs) {
+    if (promising.size() == params.max_num_refined || cost > -params.min_start_score) break;
+    promising.push_back(starts[i]);
+  }
+  return promising;
+}
+
 /// The best that stays within the window while it settles. `fits`: best first.
 std::optional<SubmapFitBothWays> settle_best(const std::vector<SubmapFitBothWays>& fits,
                                              Comparison& comparison,
@@ -151,7 +168,8 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
                                          const SubmapMatchParams& params) {
   Comparison comparison(reference, current, expected, params);
   std::vector<SubmapFitBothWays> fits;
-  for (const Pose2& start : propose(reference, current, expected, comparison, params)) {
+  const std::vector<Pose2> starts = propose(reference, current, expected, comparison, params);
+  for (const Pose2& start : most_promising(starts, comparison, params)) {
     const auto fit = comparison.refine(start, params.catching, params.num_catching_steps);
     if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
   }

@@ -16,7 +16,9 @@ namespace setsquare {
 /// Parameters of match_submaps.
 struct SubmapMatchParams {
   int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
-  std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation.
+  std::size_t max_num_proposals = 8;  ///< Compared, the best by correlation ...
+  std::size_t max_num_refined = 3;    ///< ... and refined, the best of those as they are ...
+  double min_start_score = -0.1;      ///< ... unless they score less than this.
   AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
   AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
   int num_catching_steps = 4;
