@@ -33,6 +33,13 @@ void append(const SurfacePoints& points, const Pose2& T_submap_sensor, SurfacePo
   }
 }
 
+/// Whether two keyframes are known to stand as they do to each other. In a bare corridor they may
+/// have slipped, and a submap of both would be too short or too long.
+bool is_rigid(const KeyframeTrack& track, std::size_t a, std::size_t b, double slip_sigma_m) {
+  constexpr double kMaxSlip_m = 0.1;
+  return track.stretches[a] == track.stretches[b] && slip_sigma_m <= kMaxSlip_m;
+}
+
 SurfacePoints points_of(const Submap& submap) {
   SurfacePoints all;
   for (std::size_t k = 0; k < submap.members.size(); ++k) {
@@ -48,11 +55,16 @@ Submap make_submap(const KeyframeTrack& track,
                    std::size_t middle,
                    std::size_t half_width) {
   assert(middle < track.size() && T_map_sensor.size() == track.size());
-  const std::size_t stretch = track.stretches[middle];
   std::size_t first = middle;
-  while (first > 0 && middle - first < half_width && track.stretches[first - 1] == stretch) --first;
+  for (double slip_m = 0.0; first > 0 && middle - first < half_width; --first) {
+    slip_m += track.motions[first].slip_sigma_m;
+    if (!is_rigid(track, first - 1, middle, slip_m)) break;
+  }
   std::size_t end = middle + 1;
-  while (end < track.size() && end - middle <= half_width && track.stretches[end] == stretch) ++end;
+  for (double slip_m = 0.0; end < track.size() && end - middle <= half_width; ++end) {
+    slip_m += track.motions[end].slip_sigma_m;
+    if (!is_rigid(track, end, middle, slip_m)) break;
+  }
 
   Submap submap;
   submap.keyframe = middle;

@@ -120,21 +120,14 @@ std::vector<Pose2> propose(const Submap& reference,
   return starts;
 }
 
-/// Those of the starts that agree best as they are; none of them where even the best is hopeless.
-std::vector<Pose2> most_promising(const std::vector<Pose2>& starts,
-                                  Comparison& comparison,
-                                  const SubmapMatchParams& params) {
-  std::vector<std::pair<double, std::size_t>> costs;
-  for (std::size_t i = 0; i < starts.size(); ++i) {
-    costs.emplace_back(-comparison.compare(starts[i], params.catching).score, i);
-  }
-  std::sort(costs.begin(), costs.end());
-  std::vector<Pose2> promising;
-  for (const auto& [cost, i] : costs) {
-    if (promising.size() == params.max_num_refined || cost > -params.min_start_score) break;
-    promising.push_back(starts[i]);
-  }
-  return promising;
+/// Whether one of the starts is worth the pains of refining: views of other things hardly agree
+/// anywhere.
+bool has_promise(const std::vector<Pose2>& starts,
+                 Comparison& comparison,
+                 const SubmapMatchParams& params) {
+  return std::any_of(starts.begin(), starts.end(), [&](const Pose2& start) {
+    return comparison.compare(start, params.catching).score >= params.min_start_score;
+  });
 }
 
 /// The best that stays within the window while it settles. `fits`: best first.
@@ -169,7 +162,8 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
   Comparison comparison(reference, current, expected, params);
   std::vector<SubmapFitBothWays> fits;
   const std::vector<Pose2> starts = propose(reference, current, expected, comparison, params);
-  for (const Pose2& start : most_promising(starts, comparison, params)) {
+  if (!has_promise(starts, comparison, params)) return std::nullopt;
+  for (const Pose2& start : starts) {
     const auto fit = comparison.refine(start, params.catching, params.num_catching_steps);
     if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
   }

@@ -16,9 +16,8 @@ namespace setsquare {
 /// Parameters of match_submaps.
 struct SubmapMatchParams {
   int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
-  std::size_t max_num_proposals = 8;  ///< Compared, the best by correlation ...
-  std::size_t max_num_refined = 3;    ///< ... and refined, the best of those as they are ...
-  double min_start_score = -0.1;      ///< ... unless they score less than this.
+  std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
+  double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
   AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
   AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
   int num_catching_steps = 4;
@@ -66,7 +65,7 @@ struct ExpectedPose {
 /// 1. Propose: every translation of the window is correlated at the expected rotation.
 /// 2. Refine the best point to line, both ways, the rotation free but held by heading_weight.
 /// 3. Score: points explained less points contradicted, both ways.
-/// Nothing where no proposal stays within the window.
+/// Nothing where no proposal is worth refining or stays within the window.
 [[nodiscard]] std::optional<SubmapMatch> match_submaps(const Submap& reference,
                                                        const Submap& current,
                                                        const ExpectedPose& expected,
