@@ -63,9 +63,9 @@ void require_known_stamps(const std::string& path,
 }
 
 ReferencePoses expected_poses(const ClosuresOptions& options,
-                             ReferenceKind kind,
-                             const std::vector<LoopClosure>& closures,
-                             const Trajectory& map_trajectory) {
+                              ReferenceKind kind,
+                              const std::vector<LoopClosure>& closures,
+                              const Trajectory& map_trajectory) {
   const auto require_closures = [&](const PoseIndex& poses, double tolerance_s) {
     require_known_stamps(options.closures_path,
                          closures,
