@@ -11,6 +11,7 @@
 namespace setsquare {
 namespace {
 
+constexpr std::size_t kNumRoughSamples = 120;
 constexpr std::size_t kNumFineSamples = 300;
 
 /// Appends a keyframe's points, moved into the submap's frame.
@@ -78,6 +79,7 @@ Submap make_submap(const KeyframeTrack& track,
   const SurfacePoints all = points_of(submap);
   const auto weights = direction_balanced_weights(all, angle_histogram(all));
   submap.coarse = sample_surface(all, weights, CorrelationGrid::kMaxSamples);
+  submap.rough = sample_surface(all, weights, kNumRoughSamples);
   submap.fine = sample_surface(all, weights, kNumFineSamples);
   return submap;
 }

@@ -20,6 +20,7 @@ struct Submap {
   std::size_t middle_member = 0;    ///< `keyframe` among the members.
   std::vector<PlacedImage> images;  ///< Of the members.
   SurfaceSamples coarse;            ///< A few dozen, rare directions favoured: proposals.
+  SurfaceSamples rough;             ///< A hundred or so, likewise: refinement from afar.
   SurfaceSamples fine;              ///< A few hundred, likewise: the verdict.
 };
 

@@ -29,6 +29,9 @@ Eigen::Matrix3d inverse_derivative(const Pose2& T) {
   return J;
 }
 
+/// Which of a submap's samples.
+using Samples = SurfaceSamples Submap::*;
+
 /// Compares two submaps and moves one until they agree.
 class Comparison {
  public:
@@ -38,23 +41,27 @@ class Comparison {
              const SubmapMatchParams& params)
       : reference_(reference), current_(current), expected_(expected), params_(params) {}
 
+  /// Steps with these samples; the fit is that of the fine ones.
   [[nodiscard]] SubmapFitBothWays refine(const Pose2& start,
                                          const AlignmentScale& scale,
-                                         int num_steps) {
+                                         int num_steps,
+                                         Samples samples) {
     Pose2 T = start;
     for (int step = 0; step < num_steps; ++step) {
-      const Eigen::Vector3d move = step_from(compare(T, scale));
+      const Eigen::Vector3d move = step_from(compare(T, scale, samples));
       T = {T.x_m + move.x(), T.y_m + move.y(), wrap_to_pi(T.theta_rad + move.z())};
       if (move.norm() < kConverged) break;
     }
     return compare(T, scale);
   }
 
-  [[nodiscard]] SubmapFitBothWays compare(const Pose2& T, const AlignmentScale& scale) {
+  [[nodiscard]] SubmapFitBothWays compare(const Pose2& T,
+                                          const AlignmentScale& scale,
+                                          Samples samples = &Submap::fine) {
     const SubmapAlignment forward =
-        align_with_submap(reference_.images, current_.fine, T, scale, marks_);
+        align_with_submap(reference_.images, current_.*samples, T, scale, marks_);
     const SubmapAlignment backward =
-        align_with_submap(current_.images, reference_.fine, T.inverse(), scale, marks_);
+        align_with_submap(current_.images, reference_.*samples, T.inverse(), scale, marks_);
     const Eigen::Matrix3d J = inverse_derivative(T);
     SubmapFitBothWays fit;
     fit.T_reference_current = T;
@@ -63,7 +70,8 @@ class Comparison {
     const double compared = forward.num_compared + backward.num_compared;
     const double explained = forward.num_explained + backward.num_explained;
     const double contradicted = forward.num_contradicted + backward.num_contradicted;
-    const auto total = static_cast<double>(current_.fine.size() + reference_.fine.size());
+    const auto total =
+        static_cast<double>((current_.*samples).size() + (reference_.*samples).size());
     const double least = std::max(1.0, params_.min_compared * total);
     const double gain = explained - params_.contradiction_weight * contradicted;
     fit.score = gain / std::max(compared, least);
@@ -126,7 +134,8 @@ bool has_promise(const std::vector<Pose2>& starts,
                  Comparison& comparison,
                  const SubmapMatchParams& params) {
   return std::any_of(starts.begin(), starts.end(), [&](const Pose2& start) {
-    return comparison.compare(start, params.catching).score >= params.min_start_score;
+    return comparison.compare(start, params.catching, &Submap::rough).score >=
+           params.min_start_score;
   });
 }
 
@@ -135,8 +144,8 @@ std::optional<SubmapFitBothWays> settle_best(const std::vector<SubmapFitBothWays
                                              Comparison& comparison,
                                              const SubmapMatchParams& params) {
   for (const SubmapFitBothWays& fit : fits) {
-    const auto settled =
-        comparison.refine(fit.T_reference_current, params.settling, params.num_settling_steps);
+    const auto settled = comparison.refine(
+        fit.T_reference_current, params.settling, params.num_settling_steps, &Submap::fine);
     if (comparison.is_in_window(settled.T_reference_current)) return settled;
   }
   return std::nullopt;
@@ -164,7 +173,8 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
   const std::vector<Pose2> starts = propose(reference, current, expected, comparison, params);
   if (!has_promise(starts, comparison, params)) return std::nullopt;
   for (const Pose2& start : starts) {
-    const auto fit = comparison.refine(start, params.catching, params.num_catching_steps);
+    const auto fit =
+        comparison.refine(start, params.catching, params.num_catching_steps, &Submap::rough);
     if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
   }
   std::stable_sort(
