@@ -116,7 +116,7 @@ void register_keyframes(const KeyframeTrack& track,
     for (const auto& list : compared) {
       all.constraints.insert(all.constraints.end(), list.begin(), list.end());
     }
-    polish(all, {.max_iterations = 2});
+    polish(all, {.max_iterations = 1});
     graph.T_map_node = std::move(all.T_map_node);
   }
 }
