@@ -11,29 +11,20 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <string>
 
 #include "setsquare/core/error.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
 
-std::string content_of(const std::filesystem::path& path) {
-  std::ostringstream text;
-  text << std::ifstream(path, std::ios::binary).rdbuf();
-  return text.str();
-}
+using testing::content_of;
 
 class SaveFile : public ::testing::Test {
  protected:
-  void SetUp() override { std::filesystem::create_directory(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  /// One a test: CTest runs them side by side.
-  const std::filesystem::path folder_ =
-      std::filesystem::path(::testing::TempDir()) /
-      (std::string("setsquare_save_file_") +
-       ::testing::UnitTest::GetInstance()->current_test_info()->name());
+  const testing::TemporaryFolder temporary_;
+  const std::filesystem::path& folder_ = temporary_.path();
 };
 
 TEST_F(SaveFile, ReplacesAndLeavesNothingElseBehind) {

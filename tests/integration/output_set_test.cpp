@@ -10,7 +10,6 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <random>
 #include <set>
 #include <string>
@@ -18,6 +17,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
@@ -29,12 +29,8 @@ const std::vector<std::string> kNames = {"map.pgm", "map.yaml", "map.png", "extr
 
 class OutputSetTest : public ::testing::Test {
  protected:
-  void SetUp() override { fs::remove_all(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
   [[nodiscard]] std::string content(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
+    return testing::content_of(folder_ / name);
   }
   void put(const fs::path& name, const std::string& bytes) const {
     fs::create_directories((folder_ / name).parent_path());
@@ -59,7 +55,8 @@ class OutputSetTest : public ::testing::Test {
     for (const std::string& name : entries()) EXPECT_EQ(content(name), text) << name;
   }
 
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "setsquare_output_set";
+  const testing::TemporaryFolder temporary_;
+  const fs::path folder_ = temporary_.path() / "set";  ///< Not there yet.
 };
 
 TEST_F(OutputSetTest, AllFilesComeAtOnceAndReplaceTheLastSet) {

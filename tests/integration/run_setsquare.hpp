@@ -3,8 +3,9 @@
 // Runs the `setsquare` command as a user does.
 #pragma once
 
-#include <filesystem>
 #include <string>
+
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare::testing {
 
@@ -17,25 +18,5 @@ struct CommandOutcome {
 
 /// Runs `setsquare ARGUMENTS` through the shell: redirections and pipes may stand in `arguments`.
 [[nodiscard]] CommandOutcome run_setsquare(const std::string& arguments);
-
-/// A folder for one test, empty at its beginning and removed at its end.
-class TemporaryFolder {
- public:
-  TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-  /// Writes a file into the folder and returns its path, quoted for the shell.
-  std::string write(const std::string& name, const std::string& content) const;
-
- private:
-  std::filesystem::path path_;
-};
-
-/// The text of a file, empty where there is none.
-[[nodiscard]] std::string content_of(const std::filesystem::path& path);
 
 }  // namespace setsquare::testing

@@ -11,6 +11,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "tests/io/read_all.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
@@ -153,8 +154,8 @@ TEST(MapPgmYaml, GreyBecomesOccupancyAsMapServerSays) {
 }
 
 TEST(MapPgmYaml, TheImageLiesBesideTheYamlAndBeginsAtItsTop) {
-  const auto folder = std::filesystem::path(::testing::TempDir()) / "setsquare_map_pgm_yaml";
-  std::filesystem::create_directories(folder);
+  const testing::TemporaryFolder temporary;
+  const std::filesystem::path& folder = temporary.path();
   std::ofstream(folder / "map.yaml") << kYaml;
   std::ofstream(folder / "map.pgm") << "P2 2 2 255 254 0 205 254";
   const OccupancyGrid grid = read_map_pgm_yaml((folder / "map.yaml").string());
@@ -166,7 +167,7 @@ TEST(MapPgmYaml, TheImageLiesBesideTheYamlAndBeginsAtItsTop) {
   EXPECT_EQ(grid.state({1, 1}), CellState::kOccupied);
   std::filesystem::remove(folder / "map.pgm");
   EXPECT_THROW(static_cast<void>(read_map_pgm_yaml((folder / "map.yaml").string())), FileError);
-  std::filesystem::remove_all(folder);
+  std::filesystem::remove(folder / "map.yaml");
   EXPECT_THROW(static_cast<void>(read_map_pgm_yaml((folder / "map.yaml").string())), FileError);
 }
 

@@ -17,6 +17,7 @@
 #include "setsquare/io/byte_source.hpp"
 #include "setsquare/io/map_pgm_yaml.hpp"
 #include "tests/support/seed.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
@@ -190,14 +191,8 @@ TEST(PgmImage, BytesGiveTheImageBack) {
 
 class MapOnDisk : public ::testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-  [[nodiscard]] static std::string content(const fs::path& path) {
-    std::ifstream file(path, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-
-  const fs::path folder_ = fs::path(::testing::TempDir()) / "setsquare_map_writer";
+  const testing::TemporaryFolder temporary_;
+  const fs::path& folder_ = temporary_.path();
 };
 
 TEST_F(MapOnDisk, HoldsBothFilesAndNothingElse) {
@@ -212,7 +207,7 @@ TEST_F(MapOnDisk, OldFilesStayWhereOneOfTheNewCannotBeWritten) {
   std::ofstream(pgm) << "old";
   fs::create_directory(folder_ / "map.yaml");  // no file can take its place
   EXPECT_THROW(write_map_pgm_yaml((folder_ / "map.yaml").string(), small_grid()), FileError);
-  EXPECT_EQ(content(pgm), "old");
+  EXPECT_EQ(testing::content_of(pgm), "old");
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "no temporary file is left";
 }
 

@@ -11,6 +11,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
@@ -94,10 +95,10 @@ TEST(PoseGraphG2o, WritesWhatItReads) {
 TEST(PoseGraphG2o, RoundTrip) {
   auto generator = testing::make_generator();
   const PoseGraph graph = random_graph(generator);
-  const auto path = std::filesystem::path(::testing::TempDir()) / "setsquare_round_trip.g2o";
+  const testing::TemporaryFolder folder;
+  const auto path = folder.path() / "graph.g2o";
   write_pose_graph_g2o(path.string(), graph);
   const PoseGraph again = read_pose_graph_g2o(path.string());
-  std::filesystem::remove(path);
   EXPECT_EQ(again.T_map_node, graph.T_map_node);  // To the last digit.
   ASSERT_EQ(again.constraints.size(), graph.constraints.size());
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {

@@ -11,6 +11,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare {
 namespace {
@@ -33,10 +34,10 @@ TEST(TrajectoryTum, RoundTrip) {
                            testing::uniform(generator, -1e3, 1e3),
                            testing::uniform(generator, -kPi, kPi)}});
   }
-  const auto path = std::filesystem::path(::testing::TempDir()) / "setsquare_round_trip.tum";
+  const testing::TemporaryFolder folder;
+  const auto path = folder.path() / "track.tum";
   write_trajectory_tum(path.string(), trajectory);
   const Trajectory again = read_trajectory_tum(path.string());
-  std::filesystem::remove(path);
   ASSERT_EQ(again.size(), trajectory.size());
   for (std::size_t i = 0; i < again.size(); ++i) {
     EXPECT_EQ(again[i].stamp, trajectory[i].stamp);
