@@ -9,6 +9,13 @@
 
 namespace setsquare {
 
+/// The matrix that turns vectors by an angle, counterclockwise.
+[[nodiscard]] inline Eigen::Matrix2d rotation_matrix(double angle_rad) {
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  return (Eigen::Matrix2d() << c, -s, s, c).finished();
+}
+
 /// A rigid motion of the plane. Named T_a_b it maps points of frame b into frame a, and is the pose
 /// of b in a; in products neighbouring frames cancel: T_a_c = T_a_b * T_b_c.
 struct Pose2 {

@@ -21,12 +21,6 @@ constexpr double kUncoupledShare = 1e-13;
 /// Share of a diagonal entry below which its pivot is rounding alone.
 constexpr double kSingularPivot = 1e-12;
 
-Eigen::Matrix2d rotation(double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
-  return (Eigen::Matrix2d() << c, -s, s, c).finished();
-}
-
 /// W^+ and the rank of W; W symmetric and positive semi-definite.
 struct PseudoInverse {
   explicit PseudoInverse(const Eigen::Matrix2d& W) {
@@ -81,7 +75,7 @@ PositionTerm position_term(const PoseGraph& graph, const Constraint& constraint)
   const double heading_rad = graph.T_map_node[constraint.from].theta_rad;
   const double turned_rad = wrap_to_pi(graph.T_map_node[constraint.to].theta_rad - heading_rad -
                                        constraint.T_from_to.theta_rad);
-  const Eigen::Matrix2d R = rotation(heading_rad);
+  const Eigen::Matrix2d R = rotation_matrix(heading_rad);
   const Eigen::Matrix2d W = constraint.information.topLeftCorner<2, 2>();
   const Eigen::Vector2d coupling = constraint.information.topRightCorner<2, 1>();
   const PseudoInverse inverse(W);

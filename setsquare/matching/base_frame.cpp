@@ -7,6 +7,23 @@
 
 namespace setsquare {
 
+Eigen::Matrix3d information_of_base(const Eigen::Matrix3d& of_sensor,
+                                    const Pose2& T_sensor_sensor,
+                                    const Pose2& T_base_sensor_reference,
+                                    const Pose2& T_base_sensor_current) {
+  // d(pose of base) = J d(pose of sensor), so the information becomes J^-T information J^-1.
+  const double turn_rad = T_base_sensor_reference.theta_rad;
+  const Pose2 T_sensor_base_current = T_base_sensor_current.inverse();
+  const Pose2 lever = Pose2{0.0, 0.0, turn_rad + T_sensor_sensor.theta_rad} *
+                      Pose2{T_sensor_base_current.x_m, T_sensor_base_current.y_m, 0.0};
+  Eigen::Matrix3d J;
+  J << std::cos(turn_rad), -std::sin(turn_rad), -lever.y_m,  //
+      std::sin(turn_rad), std::cos(turn_rad), lever.x_m,     //
+      0.0, 0.0, 1.0;
+  const Eigen::Matrix3d inverse = J.inverse();
+  return inverse.transpose() * of_sensor * inverse;
+}
+
 MatchResult match_result_of_base(const MatchResult& of_sensor,
                                  const Pose2& T_base_sensor_reference,
                                  const Pose2& T_base_sensor_current) {
@@ -26,17 +43,10 @@ MatchResult match_result_of_base(const MatchResult& of_sensor,
   if (!of_sensor.T_reference_current) return result;
   result.T_reference_current = of_base(*of_sensor.T_reference_current);
 
-  // d(pose of base) = J d(pose of sensor), so the information becomes J^-T information J^-1.
-  const double turn_rad = T_base_sensor_reference.theta_rad;
-  const double heading_rad = turn_rad + of_sensor.T_reference_current->theta_rad;
-  const Pose2 lever = Pose2{0.0, 0.0, heading_rad} *
-                      Pose2{T_sensor_base_current.x_m, T_sensor_base_current.y_m, 0.0};
-  Eigen::Matrix3d J;
-  J << std::cos(turn_rad), -std::sin(turn_rad), -lever.y_m,  //
-      std::sin(turn_rad), std::cos(turn_rad), lever.x_m,     //
-      0.0, 0.0, 1.0;
-  const Eigen::Matrix3d inverse = J.inverse();
-  result.information = inverse.transpose() * of_sensor.information * inverse;
+  result.information = information_of_base(of_sensor.information,
+                                           *of_sensor.T_reference_current,
+                                           T_base_sensor_reference,
+                                           T_base_sensor_current);
   return result;
 }
 

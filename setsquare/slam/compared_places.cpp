@@ -2,17 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/compared_places.hpp"
 
+#include "setsquare/matching/match_information.hpp"
+
 namespace setsquare {
-namespace {
-
-/// What remains of the information where one direction, a unit vector, is open.
-Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information, const Eigen::Vector2d& open) {
-  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
-  kept.topLeftCorner<2, 2>() -= open * open.transpose();
-  return kept * information * kept;
-}
-
-}  // namespace
 
 ComparedPlaces judged_places(std::size_t from,
                              std::size_t to,
@@ -29,7 +21,8 @@ ComparedPlaces judged_places(std::size_t from,
   places.contradiction = match.best.contradiction;
   places.information = match.best.hessian / (point_sigma_m * point_sigma_m);
   if (places.verdict.reason == ClosureReason::kOneAxis) {
-    places.information = without_direction(places.information, match.weak.direction);
+    const Eigen::Vector2d& open = match.weak.direction;
+    places.information = without_direction(places.information, {open.x(), open.y(), 0.0});
   }
   return places;
 }

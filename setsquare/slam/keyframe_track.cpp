@@ -8,19 +8,11 @@
 namespace setsquare {
 namespace {
 
-Eigen::Matrix2d rotation(double angle_rad) {
-  const double c = std::cos(angle_rad);
-  const double s = std::sin(angle_rad);
-  Eigen::Matrix2d R;
-  R << c, -s, s, c;
-  return R;
-}
-
 /// The motion from keyframe k - 1 to k, its covariance turned from the odom frame into that of
 /// keyframe k - 1.
 Constraint motion_constraint(const KeyframeTrack& track, std::size_t k, const Pose2& T_from_to) {
   const MotionCovariance& covariance = track.motions[k];
-  const Eigen::Matrix2d R = rotation(-track.keyframes[k - 1]->T_odom_sensor.theta_rad);
+  const Eigen::Matrix2d R = rotation_matrix(-track.keyframes[k - 1]->T_odom_sensor.theta_rad);
   Constraint constraint;
   constraint.from = k - 1;
   constraint.to = k;
@@ -52,8 +44,8 @@ PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> head
     const double drift_rad = headings_rad[k] - T_odom_sensor.theta_rad;
     const double turn_rad = drift_before_rad + 0.5 * wrap_to_pi(drift_rad - drift_before_rad);
     const Eigen::Vector2d moved_m =
-        rotation(turn_rad) * (T_odom_sensor.translation() - T_odom_before.translation());
-    const Eigen::Vector2d seen_m = rotation(-T_map_before.theta_rad) * moved_m;
+        rotation_matrix(turn_rad) * (T_odom_sensor.translation() - T_odom_before.translation());
+    const Eigen::Vector2d seen_m = rotation_matrix(-T_map_before.theta_rad) * moved_m;
     graph.constraints.push_back(motion_constraint(
         track,
         k,

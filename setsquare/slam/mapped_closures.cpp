@@ -2,30 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/mapped_closures.hpp"
 
-#include <cmath>
 #include <string>
 
+#include "setsquare/matching/base_frame.hpp"
+
 namespace setsquare {
-namespace {
-
-/// Derivative of T_sensor_sensor by T_base_base, both as (x, y, theta) in the frame of their first.
-Eigen::Matrix3d derivative_by_base(const Pose2& T_base_sensor_from,
-                                   const Pose2& T_base_base,
-                                   const Pose2& T_base_sensor_to) {
-  // T_ss = M1^-1 T_bb M2: p_ss = R(-m1) (p_bb + R(theta_bb) p_m2 - p_m1).
-  const double c = std::cos(T_base_sensor_from.theta_rad);
-  const double s = std::sin(T_base_sensor_from.theta_rad);
-  const Pose2 turn{0.0, 0.0, T_base_base.theta_rad};
-  const Eigen::Vector2d lever = turn * T_base_sensor_to.translation();
-  Eigen::Matrix2d R;
-  R << c, s, -s, c;
-  Eigen::Matrix3d J = Eigen::Matrix3d::Identity();
-  J.topLeftCorner<2, 2>() = R;
-  J.topRightCorner<2, 1>() = R * Eigen::Vector2d(-lever.y(), lever.x());
-  return J;
-}
-
-}  // namespace
 
 std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
                                            std::span<const ComparedPlaces> compared,
@@ -74,9 +55,9 @@ PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph) {
   for (Constraint& constraint : of_base.constraints) {
     const Pose2& from = track.keyframes[constraint.from]->scan.T_base_sensor;
     const Pose2& to = track.keyframes[constraint.to]->scan.T_base_sensor;
+    constraint.information =
+        information_of_base(constraint.information, constraint.T_from_to, from, to);
     constraint.T_from_to = from * constraint.T_from_to * to.inverse();
-    const Eigen::Matrix3d J = derivative_by_base(from, constraint.T_from_to, to);
-    constraint.information = J.transpose() * constraint.information * J;
   }
   for (HeadingMeasurement& heading : of_base.headings) {
     heading.heading_rad = wrap_to_pi(heading.heading_rad -
