@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
@@ -74,7 +76,7 @@ class PieceJoiner {
 
   bool join(std::size_t piece) {
     std::vector<Proposal> proposals = propose(piece);
-    run_in_parallel(proposals.size(), num_threads_, [&](std::size_t i) { verify(proposals[i]); });
+    verify_new(proposals);
     std::erase_if(proposals, [](const Proposal& proposal) { return !proposal.is_verified; });
     const std::vector<Proposal> agreed = most_agreed(proposals);
     if (agreed.empty()) return false;
@@ -129,10 +131,33 @@ class PieceJoiner {
     return proposals;
   }
 
+  /// Verifies what was not verified when fewer pieces were joined; each scan is prepared once.
+  void verify_new(std::vector<Proposal>& proposals) {
+    std::vector<Proposal*> unknown;
+    std::vector<std::size_t> unprepared;
+    for (Proposal& proposal : proposals) {
+      const auto before = verified_.find({proposal.known, proposal.sought});
+      if (before != verified_.end()) {
+        proposal = before->second;
+        continue;
+      }
+      unknown.push_back(&proposal);
+      for (const std::size_t keyframe : {proposal.known, proposal.sought}) {
+        if (prepared_.try_emplace(keyframe).second) unprepared.push_back(keyframe);
+      }
+    }
+    run_in_parallel(unprepared.size(), num_threads_, [&](std::size_t i) {
+      prepared_.at(unprepared[i]) = prepare(track_.keyframes[unprepared[i]]->scan);
+    });
+    run_in_parallel(unknown.size(), num_threads_, [&](std::size_t i) { verify(*unknown[i]); });
+    for (const Proposal* proposal : unknown) {
+      verified_.emplace(std::pair(proposal->known, proposal->sought), *proposal);
+    }
+  }
+
   void verify(Proposal& proposal) const {
-    const Scan& known = track_.keyframes[proposal.known]->scan;
-    const Scan& sought = track_.keyframes[proposal.sought]->scan;
-    const MatchResult match = setsquare::match(prepare(known), prepare(sought));
+    const MatchResult match =
+        setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
     if (match.status != MatchStatus::kMatched) return;
 
     const std::size_t half_width = closing_.submap_half_width;
@@ -201,7 +226,9 @@ class PieceJoiner {
   const LoopCloserParams& closing_;
   const PieceJoiningParams& params_;
   std::size_t num_threads_;
-  std::vector<std::vector<Place>> places_;  ///< By piece.
+  std::vector<std::vector<Place>> places_;                            ///< By piece.
+  std::map<std::pair<std::size_t, std::size_t>, Proposal> verified_;  ///< By known and sought.
+  std::map<std::size_t, PreparedScan> prepared_;                      ///< By keyframe.
   JoinedPieces joined_;
 };
 
