@@ -19,7 +19,6 @@
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/open_log.hpp"
-#include "setsquare/slam/track_certainty.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -37,10 +36,10 @@ double seconds_of(const StageClock& clock) {
 }
 
 /// What the map does not know, a line each.
-void tell_doubts(const MappedTrack& track) {
+void tell_doubts(const MapRun& run) {
   std::size_t num_unjoined = 0;
   std::size_t num_unjoined_scans = 0;
-  for (const TrackPiece& piece : track.pieces) {
+  for (const TrackPiece& piece : run.track.pieces) {
     num_unjoined += !piece.is_joined;
     num_unjoined_scans += piece.is_joined ? 0 : piece.num_scans;
   }
@@ -50,7 +49,7 @@ void tell_doubts(const MappedTrack& track) {
   }
   double open_m = 0.0;
   double sigma_m = 0.0;
-  for (const OpenStretch& stretch : open_stretches(track)) {
+  for (const OpenStretch& stretch : run.open_stretches) {
     open_m += stretch.way_m;
     sigma_m = std::max(sigma_m, stretch.length_sigma_m);
   }
@@ -83,7 +82,7 @@ void tell(const MapOptions& options, const MapRun& run, double total_s) {
                 closures.num_compared,
                 closures.num_outvoted);
   std::cout << line;
-  tell_doubts(run.track);
+  tell_doubts(run);
   std::snprintf(line,
                 sizeof line,
                 "mapped and written in %.2f s (%.0f us a scan)\n",

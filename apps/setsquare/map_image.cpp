@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "apps/setsquare/map_report.hpp"
-#include "setsquare/drawing/png.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/report/building_heading.hpp"
 #include "setsquare/report/map_picture.hpp"
@@ -80,10 +79,6 @@ Image map_image(const MapRun& run, const OccupancyGrid& grid) {
   const Trajectory trajectory = trajectory_from(run.track, false);
   return layered_map_picture(
       grid, {.T_map_base = trajectory, .conditions = conditions, .closures = closures});
-}
-
-void save_map_image(const MapRun& run, const std::string& path) {
-  save_png(map_image(run, upright_map_grid(run)), path);
 }
 
 }  // namespace setsquare::app

@@ -25,7 +25,4 @@ namespace setsquare::app {
 /// map.png of a run: a grid of it, the robot's path, what was degenerate or lost, loop closures.
 [[nodiscard]] Image map_image(const MapRun& run, const OccupancyGrid& grid);
 
-/// Draws map.png on an upright grid. Throws FileError.
-void save_map_image(const MapRun& run, const std::string& path);
-
 }  // namespace setsquare::app

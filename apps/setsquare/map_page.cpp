@@ -185,7 +185,7 @@ void add_building_figures(const MapRun& run, Figures& figures) {
   }
   double open_m = 0.0;
   double worst_sigma_m = 0.0;
-  for (const OpenStretch& stretch : open_stretches(run.track)) {
+  for (const OpenStretch& stretch : run.open_stretches) {
     open_m += stretch.way_m;
     worst_sigma_m = std::max(worst_sigma_m, stretch.length_sigma_m);
   }

@@ -8,7 +8,6 @@
 
 #include "setsquare/slam/mapper.hpp"
 #include "setsquare/slam/paper_mapper.hpp"
-#include "setsquare/slam/track_certainty.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -185,7 +184,7 @@ std::string run_json(const MapOptions& options, const MapRun& run) {
                      {"closures", json_from(count_closures(track))},
                      {"building_frames", array_from(track.headings.frames)},
                      {"pieces", array_from(track.pieces, track)},
-                     {"open_stretches", array_from(open_stretches(track), track)},
+                     {"open_stretches", array_from(run.open_stretches, track)},
                      {"stretches", array_from(stretches(track), track)},
                      {"parameters", parameters(options)}};
   return json.dump(2) + "\n";

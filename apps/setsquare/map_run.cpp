@@ -74,6 +74,7 @@ MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock) 
     clock.begin("finishing");
     run.track = mapper.finish();
   }
+  run.open_stretches = open_stretches(run.track);
   run.format = reader.format();
   run.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
   run.problems = reader.problems();

@@ -11,6 +11,7 @@
 #include "setsquare/io/log_reader.hpp"
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/slam/mapped_track.hpp"
+#include "setsquare/slam/track_certainty.hpp"
 
 namespace setsquare::app {
 
@@ -34,8 +35,9 @@ struct PictureScan {
 /// A log mapped.
 struct MapRun {
   MappedTrack track;
-  std::vector<PictureScan> picture_scans;  ///< Keyframes, and those that moved on.
-  std::size_t num_with_odometry = 0;       ///< Scans whose odometry was used.
+  std::vector<OpenStretch> open_stretches;  ///< Of the track; see track_certainty.hpp.
+  std::vector<PictureScan> picture_scans;   ///< Keyframes, and those that moved on.
+  std::size_t num_with_odometry = 0;        ///< Scans whose odometry was used.
   std::string format;
   std::string sensor;
   LogProblems problems;
