@@ -8,8 +8,7 @@
 
 #include "setsquare/graph/heading_fusion.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/matching/square_direction.hpp"
-#include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/slam/heading_proposals.hpp"
 #include "setsquare/slam/mapper.hpp"
 #include "setsquare/slam/paper_mapper.hpp"
 
@@ -68,13 +67,8 @@ std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> sca
     evidence[k].step_sigma_rad =
         std::hypot(params.motion.step_sigma_rad + params.motion.sigma_per_turn * std::abs(turn_rad),
                    is_turn_known ? 0.0 : params.motion.lost_sigma_rad);
-    const SquareDirections directions = square_directions(
-        points_from_scan(scans[k].scan), scans[k].scan.bearing_step_rad, params.direction);
-    const double confidence =
-        std::clamp((directions.margin() - 1.0) / (params.confident_margin - 1.0), 0.0, 1.0);
-    if (directions.peaks.empty() || confidence <= 0.0) continue;
-    const SquareDirection& peak = directions.peaks.front();
-    evidence[k].proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
+    evidence[k].proposals =
+        heading_proposals(scans[k].scan, params.direction, params.confident_margin);
   }
   return evidence;
 }

@@ -7,7 +7,6 @@
 #include <functional>
 #include <limits>
 #include <queue>
-#include <unordered_map>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/slam/position_hash.hpp"

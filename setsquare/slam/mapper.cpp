@@ -7,7 +7,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
-#include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/slam/heading_proposals.hpp"
 #include "setsquare/slam/mapped_closures.hpp"
 #include "setsquare/slam/track_assembly.hpp"
 
@@ -46,23 +46,6 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
     }
   }
   return evidence;
-}
-
-/// The graph that registration may rely on beside its own comparisons: the tracked motion, made of
-/// the same scans, for little; closures only where they leave an axis open, since registration
-/// compares the others again.
-PoseGraph graph_to_register(const PoseGraph& graph, std::span<const RevisitedPlace> revisits) {
-  PoseGraph kept{.T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
-  for (Constraint constraint : graph.constraints) {
-    const bool is_compared_again =
-        std::any_of(revisits.begin(), revisits.end(), [&](const RevisitedPlace& place) {
-          return place.from == constraint.from && place.to == constraint.to;
-        });
-    if (constraint.kind == ConstraintKind::kLoopClosure && is_compared_again) continue;
-    if (constraint.kind == ConstraintKind::kOdometry) constraint.weight *= kTrackedMotionWeight;
-    kept.constraints.push_back(constraint);
-  }
-  return kept;
 }
 
 }  // namespace
@@ -117,18 +100,10 @@ void Mapper::add_keyframe(const Scan& scan) {
   track_.stretches.push_back(stretch + (is_restart ? 1 : 0));
   track_.pieces.push_back(piece + (is_restart && !is_tied ? 1 : 0));
 
-  HeadingEvidence evidence{.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
-                           .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),
-                           .proposals = {}};
-  const SquareDirections directions =
-      square_directions(points_from_scan(scan), scan.bearing_step_rad, params_.direction);
-  const double confidence =
-      std::clamp((directions.margin() - 1.0) / (params_.confident_margin - 1.0), 0.0, 1.0);
-  if (!directions.peaks.empty() && confidence > 0.0) {
-    const SquareDirection& peak = directions.peaks.front();
-    evidence.proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
-  }
-  evidence_.push_back(std::move(evidence));
+  evidence_.push_back(
+      {.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
+       .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),
+       .proposals = heading_proposals(scan, params_.direction, params_.confident_margin)});
 }
 
 PoseGraph Mapper::graph_along(std::span<const double> headings_rad,
@@ -194,15 +169,25 @@ MappedTrack Mapper::finish() const {
 }
 
 void Mapper::register_all(const LoopCloser& closer, PoseGraph& graph) const {
+  // Registration compares the places that closures tell again. Beside its own comparisons it relies
+  // on the tracked motion, made of the same scans, for little, and on the other closures.
+  PoseGraph to_register{
+      .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
   std::vector<RevisitedPlace> revisits;
   std::size_t next = track_.size() - 1;  // behind the tracked motions stand the closures
+  for (std::size_t k = 0; k < next; ++k) {
+    to_register.constraints.push_back(graph.constraints[k]);
+    to_register.constraints.back().weight *= kTrackedMotionWeight;
+  }
   for (const ComparedPlaces& places : closer.compared()) {
     if (!is_accepted(places.verdict.reason)) continue;
     const Constraint& closure = graph.constraints[next++];
-    if (places.verdict.axes != ClosureAxes::kXY || closure.weight < kMinRevisitWeight) continue;
-    revisits.push_back({places.from, places.to});
+    if (places.verdict.axes == ClosureAxes::kXY && closure.weight >= kMinRevisitWeight) {
+      revisits.push_back({places.from, places.to});
+    } else {
+      to_register.constraints.push_back(closure);
+    }
   }
-  PoseGraph to_register = graph_to_register(graph, revisits);
   register_keyframes(track_, revisits, to_register, params_.registration, params_.num_threads);
   graph.T_map_node = std::move(to_register.T_map_node);
 }

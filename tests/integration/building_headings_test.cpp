@@ -16,13 +16,12 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/graph/heading_fusion.hpp"
-#include "setsquare/matching/square_direction.hpp"
-#include "setsquare/scan/scan_to_points.hpp"
 #include "setsquare/sim/building.hpp"
 #include "setsquare/sim/ray_casting.hpp"
 #include "setsquare/sim/robot_path.hpp"
 #include "setsquare/sim/scanner_model.hpp"
 #include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/slam/heading_proposals.hpp"
 #include "setsquare/slam/mapper.hpp"
 #include "setsquare/slam/motion_uncertainty.hpp"
 #include "setsquare/slam/scan_tracker.hpp"
@@ -41,17 +40,6 @@ struct Drive {
   std::vector<HeadingEvidence> evidence;
   std::vector<double> heading_rad;
 };
-
-/// The walls' direction as Mapper proposes it.
-void add_proposal(const Scan& scan, HeadingEvidence& evidence) {
-  const SquareDirections directions =
-      square_directions(points_from_scan(scan), scan.bearing_step_rad);
-  const double confidence =
-      std::clamp((directions.margin() - 1.0) / (MapperParams{}.confident_margin - 1.0), 0.0, 1.0);
-  if (directions.peaks.empty() || confidence == 0.0) return;
-  const SquareDirection& peak = directions.peaks.front();
-  evidence.proposals.push_back({peak.theta_rad, peak.sigma_rad, confidence});
-}
 
 Drive drive_through(const SeededBuilding& seeded) {
   const Building building = make_building(seeded.building_class, seeded.seed);
@@ -73,7 +61,8 @@ Drive drive_through(const SeededBuilding& seeded) {
     drive.evidence.push_back({.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
                               .step_sigma_rad = std::sqrt(uncertainty.take().rotation_rad2),
                               .proposals = {}});
-    add_proposal(simulated.scan, drive.evidence.back());
+    drive.evidence.back().proposals =
+        heading_proposals(simulated.scan, {}, MapperParams{}.confident_margin);
   }
   return drive;
 }
