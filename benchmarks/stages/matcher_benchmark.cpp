@@ -71,7 +71,7 @@ void translation_proposals(benchmark::State& state) {
   std::vector<TranslationProposal> proposals;
   for (auto _ : state) {
     proposals.clear();
-    grid.propose_translations(current.coarse, kTruth.theta_rad, 60, proposals);
+    grid.propose_translations(current.coarse, {0.0, 0.0, kTruth.theta_rad}, 60, proposals);
     benchmark::DoNotOptimize(proposals.data());
   }
 }

@@ -32,7 +32,8 @@ std::vector<TranslationProposal> propose(const PreparedScan& current,
   std::vector<TranslationProposal> proposals;
   int min_correlation = kMinCorrelation;
   for (const RotationProposal& rotation : rotations) {
-    grid.propose_translations(current.coarse, rotation.rotation_rad, min_correlation, proposals);
+    grid.propose_translations(
+        current.coarse, {0.0, 0.0, rotation.rotation_rad}, min_correlation, proposals);
     min_correlation = std::max(min_correlation, keep_best(max_proposals, proposals));
   }
   return proposals;

@@ -120,13 +120,15 @@ void CorrelationGrid::draw_surfaces(const SurfacePoints& points) {
 }
 
 CorrelationGrid::Rows CorrelationGrid::rows_of(const SurfaceSamples& current,
-                                               double rotation_rad) const {
-  const float c = static_cast<float>(std::cos(rotation_rad));
-  const float s = static_cast<float>(std::sin(rotation_rad));
+                                               const Pose2& middle) const {
+  const float c = static_cast<float>(std::cos(middle.theta_rad));
+  const float s = static_cast<float>(std::sin(middle.theta_rad));
+  const float x_m = static_cast<float>(middle.x_m);
+  const float y_m = static_cast<float>(middle.y_m);
   Rows rows;
   for (std::size_t i = 0; i < current.size(); ++i) {
-    const int column = cell_of(c * current.x_m[i] - s * current.y_m[i]);
-    const int row = cell_of(s * current.x_m[i] + c * current.y_m[i]);
+    const int column = cell_of(c * current.x_m[i] - s * current.y_m[i] + x_m);
+    const int row = cell_of(s * current.x_m[i] + c * current.y_m[i] + y_m);
     if (std::max(std::abs(column), std::abs(row)) >= kHalfExtentCells + kMargin) continue;
     rows.first[rows.count++] =
         &cells_[(row + kCentre - kMargin) * kSide + column + kCentre - kMargin];
@@ -135,11 +137,11 @@ CorrelationGrid::Rows CorrelationGrid::rows_of(const SurfaceSamples& current,
 }
 
 void CorrelationGrid::propose_translations(const SurfaceSamples& current,
-                                           double rotation_rad,
+                                           const Pose2& middle,
                                            int min_correlation,
                                            std::vector<TranslationProposal>& proposals) const {
   assert(current.size() <= kMaxSamples);
-  const Rows rows = rows_of(current, rotation_rad);
+  const Rows rows = rows_of(current, middle);
   const int floor = std::max(1, min_correlation) + static_cast<int>(rows.count) * kUnknownValue;
   if (floor > 255) return;
 
@@ -156,7 +158,9 @@ void CorrelationGrid::propose_translations(const SurfaceSamples& current,
       const int after =
           std::max({sums[y + 1][x - 1], sums[y + 1][x], sums[y + 1][x + 1], sums[y][x + 1]});
       if (value <= before || value < after) continue;
-      proposals.push_back({{(x - kMargin) * kCell_m, (y - kMargin) * kCell_m, rotation_rad},
+      proposals.push_back({{middle.x_m + (x - kMargin) * kCell_m,
+                            middle.y_m + (y - kMargin) * kCell_m,
+                            middle.theta_rad},
                            value - static_cast<int>(rows.count) * kUnknownValue});
     }
   }

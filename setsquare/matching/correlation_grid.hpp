@@ -26,7 +26,7 @@ struct TranslationProposal {
 class CorrelationGrid {
  public:
   static constexpr double kCell_m = 0.2;
-  static constexpr int kHalfWindowCells = 31;  ///< Translations up to 6.2 m along each axis.
+  static constexpr int kHalfWindowCells = 31;  ///< Translations within 6.2 m along each axis.
   static constexpr int kHalfExtentCells = 64;  ///< Surfaces up to 12.8 m from the sensor.
   static constexpr int kMaxSamples = 60;       ///< Keeps the sums within a byte.
 
@@ -36,9 +36,10 @@ class CorrelationGrid {
 
   CorrelationGrid(const SurfacePoints& points, const SurfaceImage& image);
 
-  /// Appends the local maxima over the window at one rotation that reach `min_correlation`.
+  /// Appends the local maxima that reach `min_correlation` over the window about the translation
+  /// of `middle`, at its rotation.
   void propose_translations(const SurfaceSamples& current,
-                            double rotation_rad,
+                            const Pose2& middle,
                             int min_correlation,
                             std::vector<TranslationProposal>& proposals) const;
 
@@ -51,7 +52,7 @@ class CorrelationGrid {
     std::size_t count = 0;
   };
 
-  [[nodiscard]] Rows rows_of(const SurfaceSamples& current, double rotation_rad) const;
+  [[nodiscard]] Rows rows_of(const SurfaceSamples& current, const Pose2& middle) const;
   void draw_free_space(const SurfaceImage& image);
   void draw_surfaces(const SurfacePoints& points);
 

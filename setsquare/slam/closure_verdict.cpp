@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "setsquare/core/error.hpp"
 
@@ -17,13 +18,26 @@ double angle_between(const Eigen::Vector2d& direction, const Eigen::Vector2d& of
   return std::atan2(across, along);
 }
 
+/// The other poses that explain the submaps almost as well as the best.
+std::vector<SubmapFitBothWays> rivals_of(const SubmapMatch& match,
+                                         const ClosureVerdictParams& params) {
+  std::vector<SubmapFitBothWays> rivals;
+  for (const SubmapFitBothWays& other : match.others) {
+    if (match.best.score - other.score < params.min_margin ||
+        match.best.agreement - other.agreement < params.min_margin) {
+      rivals.push_back(other);
+    }
+  }
+  return rivals;
+}
+
 /// Whether another pose lies along the weak direction from the best.
 bool is_along(const SubmapFitBothWays& other,
               const SubmapMatch& match,
               const ClosureVerdictParams& params) {
   const Eigen::Vector2d offset_m =
       other.T_reference_current.translation() - match.best.T_reference_current.translation();
-  return angle_between(match.weak.direction, offset_m) < params.max_runner_up_rad;
+  return angle_between(match.weak.direction, offset_m) < params.max_rival_rad;
 }
 
 }  // namespace
@@ -63,19 +77,17 @@ ClosureVerdict closure_verdict(const SubmapMatch& match,
                                const ClosureVerdictParams& params) {
   if (match.best.score < params.min_score) return {ClosureReason::kLowScore};
   if (match.best.contradiction > params.max_contradiction) return {ClosureReason::kContradicted};
-  const double second = match.runner_up ? std::max(0.0, match.runner_up->score) : 0.0;
-  const bool is_rivalled =
-      match.rival && match.best.agreement - match.rival->agreement < params.min_margin;
-  const bool is_alone = match.best.score - second >= params.min_margin && !is_rivalled;
+  const std::vector<SubmapFitBothWays> rivals = rivals_of(match, params);
   const bool is_bound = match.weak.effective_points >= params.min_effective_points;
-  if (is_alone && is_bound) return {ClosureReason::kStandsAlone};
+  if (rivals.empty() && is_bound) return {ClosureReason::kStandsAlone};
 
   const double all_points = match.best.hessian.topLeftCorner<2, 2>().trace();
   const bool is_corridor = match.weak.effective_points < params.max_weak_share * all_points;
-  const bool others_are_along = (!match.runner_up || is_along(*match.runner_up, match, params)) &&
-                                (!is_rivalled || is_along(*match.rival, match, params));
-  if (!is_corridor || !others_are_along) {
-    return {is_alone ? ClosureReason::kOpenDirection : ClosureReason::kAmbiguous};
+  const bool are_along = std::all_of(rivals.begin(), rivals.end(), [&](const auto& rival) {
+    return is_along(rival, match, params);
+  });
+  if (!is_corridor || !are_along) {
+    return {rivals.empty() ? ClosureReason::kOpenDirection : ClosureReason::kAmbiguous};
   }
   // The open direction in the map frame: along x or along y?
   const double open_rad =

@@ -17,7 +17,7 @@ struct ClosureVerdictParams {
   double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
   double min_effective_points = 10.0;  ///< Along the weak direction; below, it is left open.
   double max_weak_share = 0.2;         ///< Of a direction that is left open, in all points.
-  double max_runner_up_rad = 0.3;      ///< A runner-up along the open direction does no harm.
+  double max_rival_rad = 0.3;          ///< A rival so nearly along the open direction is none.
   double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
 
   /// Throws ParameterError that names the field.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
+#include <utility>
 
 #include "setsquare/core/error.hpp"
 
@@ -113,7 +114,7 @@ std::vector<Pose2> propose(const Submap& reference,
                            const SubmapMatchParams& params) {
   std::vector<TranslationProposal> proposals;
   correlation_grid(reference).propose_translations(
-      current.coarse, expected.T_reference_current.theta_rad, params.min_correlation, proposals);
+      current.coarse, expected.T_reference_current, params.min_correlation, proposals);
   std::erase_if(proposals, [&](const TranslationProposal& proposal) {
     return !comparison.is_in_window(proposal.T_reference_current);
   });
@@ -186,11 +187,10 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
   SubmapMatch match;
   match.best = *settled;
   match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
-  for (const SubmapFitBothWays& fit : fits) {
-    if (distance_m(fit, match.best) < params.distinct_m) continue;
-    if (!match.runner_up) match.runner_up = fit;
-    if (!match.rival || fit.agreement > match.rival->agreement) match.rival = fit;
-  }
+  std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
+    return distance_m(fit, match.best) < params.distinct_m;
+  });
+  match.others = std::move(fits);
   return match;
 }
 

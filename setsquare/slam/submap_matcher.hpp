@@ -48,9 +48,8 @@ struct SubmapFitBothWays {
 /// Where a submap lies in another.
 struct SubmapMatch {
   SubmapFitBothWays best;
-  std::optional<SubmapFitBothWays> runner_up;  ///< The best by score that is distinct from it.
-  std::optional<SubmapFitBothWays> rival;      ///< Of the same, the best by agreement.
-  WeakDirection weak;                          ///< In the reference's frame.
+  std::vector<SubmapFitBothWays> others;  ///< Caught elsewhere, the best by score first.
+  WeakDirection weak;                     ///< In the reference's frame.
 };
 
 /// What is known beforehand.

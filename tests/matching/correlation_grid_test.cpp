@@ -56,15 +56,18 @@ class PlainGrid {
 
   /// The sum under every sample, moved by a rotation and then by whole cells.
   [[nodiscard]] int correlation(const SurfaceSamples& samples,
-                                double rotation_rad,
+                                const Pose2& middle,
                                 int shift_x,
                                 int shift_y) const {
-    const auto c = static_cast<float>(std::cos(rotation_rad));
-    const auto s = static_cast<float>(std::sin(rotation_rad));
+    const auto c = static_cast<float>(std::cos(middle.theta_rad));
+    const auto s = static_cast<float>(std::sin(middle.theta_rad));
+    const auto x_m = static_cast<float>(middle.x_m);
+    const auto y_m = static_cast<float>(middle.y_m);
     int sum = 0;
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      const auto cell = cells_.find({cell_of(c * samples.x_m[i] - s * samples.y_m[i]) + shift_x,
-                                     cell_of(s * samples.x_m[i] + c * samples.y_m[i]) + shift_y});
+      const auto cell =
+          cells_.find({cell_of(c * samples.x_m[i] - s * samples.y_m[i] + x_m) + shift_x,
+                       cell_of(s * samples.x_m[i] + c * samples.y_m[i] + y_m) + shift_y});
       if (cell != cells_.end()) sum += static_cast<int>(cell->second);
     }
     return sum;
@@ -115,6 +118,13 @@ Pair random_pair(std::mt19937_64& generator) {
   return {scan(), scan()};
 }
 
+/// A window's middle and rotation.
+Pose2 random_middle(std::mt19937_64& generator) {
+  return {uniform(generator, -6.0, 6.0),
+          uniform(generator, -6.0, 6.0),
+          uniform(generator, -kPi, kPi)};
+}
+
 int shift_cells(double translation_m) {
   return static_cast<int>(std::lround(translation_m / kCell_m));
 }
@@ -130,14 +140,16 @@ TEST(CorrelationGrid, ProposesWhatThePlainSumsSay) {
     const Pair pair = random_pair(generator);
     const CorrelationGrid grid(pair.reference.points, pair.reference.image);
     const PlainGrid plain(pair.reference);
-    const double rotation_rad = uniform(generator, -kPi, kPi);
+    const Pose2 middle = random_middle(generator);
     std::vector<TranslationProposal> proposals;
-    grid.propose_translations(pair.current.coarse, rotation_rad, 1, proposals);
+    grid.propose_translations(pair.current.coarse, middle, 1, proposals);
     for (const TranslationProposal& proposal : proposals) {
       const Pose2& T = proposal.T_reference_current;
-      EXPECT_EQ(T.theta_rad, rotation_rad);
-      const int sum = plain.correlation(
-          pair.current.coarse, rotation_rad, shift_cells(T.x_m), shift_cells(T.y_m));
+      EXPECT_EQ(T.theta_rad, middle.theta_rad);
+      const int sum = plain.correlation(pair.current.coarse,
+                                        middle,
+                                        shift_cells(T.x_m - middle.x_m),
+                                        shift_cells(T.y_m - middle.y_m));
       EXPECT_NEAR(proposal.correlation, sum, kRoundingSlack);
       num_different += proposal.correlation != sum;
       ++num_proposals;
@@ -153,15 +165,15 @@ TEST(CorrelationGrid, MissesNoPeakOfTheWindow) {
     const Pair pair = random_pair(generator);
     const CorrelationGrid grid(pair.reference.points, pair.reference.image);
     const PlainGrid plain(pair.reference);
-    const double rotation_rad = uniform(generator, -kPi, kPi);
+    const Pose2 middle = random_middle(generator);
     int highest = 0;
     for (int y = -kHalfWindow; y < kHalfWindow; ++y) {
       for (int x = -kHalfWindow; x < kHalfWindow; ++x) {
-        highest = std::max(highest, plain.correlation(pair.current.coarse, rotation_rad, x, y));
+        highest = std::max(highest, plain.correlation(pair.current.coarse, middle, x, y));
       }
     }
     std::vector<TranslationProposal> proposals;
-    grid.propose_translations(pair.current.coarse, rotation_rad, 1, proposals);
+    grid.propose_translations(pair.current.coarse, middle, 1, proposals);
     int highest_proposed = 0;
     for (const auto& proposal : proposals) {
       highest_proposed = std::max(highest_proposed, proposal.correlation);
@@ -175,15 +187,15 @@ TEST(CorrelationGrid, AsksForNoLessThanTheMinimumAndKeepsWhatWasThere) {
   const Pair pair = random_pair(generator);
   const CorrelationGrid grid(pair.reference.points, pair.reference.image);
   std::vector<TranslationProposal> all;
-  grid.propose_translations(pair.current.coarse, 0.3, 1, all);
+  grid.propose_translations(pair.current.coarse, {0.0, 0.0, 0.3}, 1, all);
   ASSERT_FALSE(all.empty());
   const int minimum = all[all.size() / 2].correlation;
   std::vector<TranslationProposal> some(3);
-  grid.propose_translations(pair.current.coarse, 0.3, minimum, some);
+  grid.propose_translations(pair.current.coarse, {0.0, 0.0, 0.3}, minimum, some);
   const auto num_reaching = std::count_if(
       all.begin(), all.end(), [&](const auto& one) { return one.correlation >= minimum; });
   EXPECT_EQ(some.size(), 3U + static_cast<std::size_t>(num_reaching));
-  grid.propose_translations(pair.current.coarse, 0.3, 1000, some);
+  grid.propose_translations(pair.current.coarse, {0.0, 0.0, 0.3}, 1000, some);
   EXPECT_EQ(some.size(), 3U + static_cast<std::size_t>(num_reaching));
 }
 
@@ -192,7 +204,7 @@ TEST(CorrelationGrid, ScanOnItselfPeaksAtTheTruth) {
   const Pair pair = random_pair(generator);
   const CorrelationGrid grid(pair.reference.points, pair.reference.image);
   std::vector<TranslationProposal> proposals;
-  grid.propose_translations(pair.reference.coarse, 0.0, 1, proposals);
+  grid.propose_translations(pair.reference.coarse, Pose2{}, 1, proposals);
   const auto best =
       std::max_element(proposals.begin(), proposals.end(), [](const auto& a, const auto& b) {
         return a.correlation < b.correlation;
@@ -211,7 +223,7 @@ TEST(CorrelationGrid, KeepsWithinItsBordersHoweverFarTheReturns) {
     const CorrelationGrid grid(far.points, far.image);
     std::vector<TranslationProposal> proposals;
     for (int turn = 0; turn < 8; ++turn) {
-      grid.propose_translations(far.coarse, 0.785 * turn, 1, proposals);
+      grid.propose_translations(far.coarse, {0.0, 0.0, 0.785 * turn}, 1, proposals);
     }
     for (const auto& proposal : proposals) {
       EXPECT_LE(std::abs(proposal.T_reference_current.x_m), kHalfWindow * kCell_m + 1e-9);

@@ -77,19 +77,20 @@ TEST(ClosureVerdict, AContradictedOneIsRefused) {
 
 TEST(ClosureVerdict, ARunnerUpWithinTheMarginMakesItAmbiguous) {
   SubmapMatch match = good_match();
-  match.runner_up = rival_at(match, 0.4, match.best.score - kParams.min_margin + 1e-6);
+  match.others = {rival_at(match, 0.4, match.best.score - kParams.min_margin + 1e-6)};
+  match.others[0].agreement = 0.0;
   EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
-  match.runner_up->score = match.best.score - kParams.min_margin - 1e-6;
+  match.others[0].score = match.best.score - kParams.min_margin - 1e-6;
   EXPECT_EQ(reason_of(match), ClosureReason::kStandsAlone);
 }
 
 TEST(ClosureVerdict, ARivalThatAgreesAsWellMakesItAmbiguous) {
   // However much more of it is hidden, so that its score is low.
   SubmapMatch match = good_match();
-  match.rival = rival_at(match, 0.4, 0.3);
-  match.rival->agreement = match.best.agreement - kParams.min_margin + 1e-6;
+  match.others = {rival_at(match, 0.4, 0.3)};
+  match.others[0].agreement = match.best.agreement - kParams.min_margin + 1e-6;
   EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
-  match.rival->agreement = match.best.agreement - kParams.min_margin - 1e-6;
+  match.others[0].agreement = match.best.agreement - kParams.min_margin - 1e-6;
   EXPECT_EQ(reason_of(match), ClosureReason::kStandsAlone);
 }
 
@@ -114,23 +115,21 @@ TEST(ClosureVerdict, AnOpenDirectionAskewIsRefused) {
   EXPECT_EQ(reason_of(corridor_match(-limit_rad - 0.01)), ClosureReason::kOpenDirection);
 }
 
-TEST(ClosureVerdict, InACorridorARunnerUpAlongItDoesNoHarm) {
+TEST(ClosureVerdict, InACorridorRivalsAlongItDoNoHarm) {
   SubmapMatch match = corridor_match(0.0);
-  match.runner_up = rival_at(match, 0.0, match.best.score);
+  match.others = {rival_at(match, 0.0, match.best.score), rival_at(match, kPi, match.best.score)};
   EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
-  match.runner_up = rival_at(match, kPi, match.best.score);
-  EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
-  match.runner_up = rival_at(match, kParams.max_runner_up_rad + 0.01, match.best.score);
-  EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
+  match.others.push_back(rival_at(match, kParams.max_rival_rad + 0.01, match.best.score));
+  EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous) << "the third one lies across";
 }
 
 TEST(ClosureVerdict, InACorridorARivalAcrossItDoesHarm) {
   SubmapMatch match = corridor_match(0.0);
-  match.rival = rival_at(match, 0.0, 0.3);
+  match.others = {rival_at(match, 0.0, 0.3)};
   EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
-  match.rival = rival_at(match, 1.0, 0.3);
+  match.others = {rival_at(match, 1.0, 0.3)};
   EXPECT_EQ(reason_of(match), ClosureReason::kAmbiguous);
-  match.rival->agreement = 0.5;
+  match.others[0].agreement = 0.5;
   EXPECT_EQ(reason_of(match), ClosureReason::kOneAxis);
 }
 
@@ -163,14 +162,22 @@ TEST(ClosureVerdict, RefusesParametersThatAreNone) {
 
 TEST(ComparedPlaces, TellNothingAlongAnOpenDirection) {
   constexpr double kHeading_rad = 0.4;
-  const SubmapMatch match = corridor_match(-kHeading_rad);
-  const ComparedPlaces places = judged_places(3, 9, match, kHeading_rad, 0.1, kParams);
-  ASSERT_EQ(places.verdict.reason, ClosureReason::kOneAxis);
+  SubmapMatch match = corridor_match(-kHeading_rad);
   const Eigen::Vector3d open(std::cos(-kHeading_rad), std::sin(-kHeading_rad), 0.0);
   const Eigen::Vector3d bound(-open.y(), open.x(), 0.0);
-  EXPECT_LT((places.information * open).norm(), 1e-9);
+  // The rotation hangs together with either direction.
+  Eigen::Matrix3d& hessian = match.best.hessian;
+  hessian.topRightCorner<2, 1>() = (7.0 * open + 40.0 * bound).head<2>();
+  hessian.bottomLeftCorner<1, 2>() = hessian.topRightCorner<2, 1>().transpose();
+  const ComparedPlaces places = judged_places(3, 9, match, kHeading_rad, 0.1, kParams);
+  ASSERT_EQ(places.verdict.reason, ClosureReason::kOneAxis);
+  // What stays when nothing is known along `open`: 2 points bind it, b hangs on it.
+  const Eigen::Vector3d b = hessian * open;
+  const Eigen::Matrix3d expected = (hessian - b * b.transpose() / 2.0) / 0.01;
+  EXPECT_TRUE(places.information.isApprox(expected, 1e-12));
+  EXPECT_LT((places.information * open).norm(), 1e-9 * places.information.norm());
   EXPECT_NEAR(bound.dot(places.information * bound), 200.0 / 0.01, 1e-6);
-  EXPECT_NEAR(places.information(2, 2), 500.0 / 0.01, 1e-6);
+  EXPECT_NEAR(places.information(2, 2), (500.0 - 7.0 * 7.0 / 2.0) / 0.01, 1e-6);
 }
 
 TEST(ComparedPlaces, BecomeAConstraint) {
