@@ -76,8 +76,8 @@ TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_b
   std::optional<Pose2> T_wheels_sensor;
   if (T_wheels_base) T_wheels_sensor = *T_wheels_base * scan.T_base_sensor;
   const TrackedPose tracked = tracker_.track(scan, T_wheels_sensor);
-  uncertainty_.add(tracked, T_wheels_sensor.has_value());
-  scans_.push_back({scan.stamp, tracked, scan.T_base_sensor, T_wheels_sensor.has_value()});
+  uncertainty_.add(tracked);
+  scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
   if (!tracked.is_keyframe) return tracked;
 
   add_keyframe(scan);
@@ -94,7 +94,7 @@ void Mapper::add_keyframe(const Scan& scan) {
   track_.keyframes.push_back(tracker_.submap().back());
   track_.motions.push_back(uncertainty_.take());
   const bool is_restart = tracked.is_restart && !is_first;
-  const bool is_tied = scans_.back().has_odometry;
+  const bool is_tied = track_.motions.back().has_odometry;
   const std::size_t stretch = is_first ? 0 : track_.stretches.back();
   const std::size_t piece = is_first ? 0 : track_.pieces.back();
   track_.stretches.push_back(stretch + (is_restart ? 1 : 0));
@@ -173,7 +173,7 @@ void Mapper::register_all(const LoopCloser& closer, PoseGraph& graph) const {
   // on the tracked motion, made of the same scans, for little, and on the other closures.
   PoseGraph to_register{
       .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
-  std::vector<RevisitedPlace> revisits;
+  std::vector<Constraint> revisits;
   std::size_t next = track_.size() - 1;  // behind the tracked motions stand the closures
   for (std::size_t k = 0; k < next; ++k) {
     to_register.constraints.push_back(graph.constraints[k]);
@@ -183,7 +183,7 @@ void Mapper::register_all(const LoopCloser& closer, PoseGraph& graph) const {
     if (!is_accepted(places.verdict.reason)) continue;
     const Constraint& closure = graph.constraints[next++];
     if (places.verdict.axes == ClosureAxes::kXY && closure.weight >= kMinRevisitWeight) {
-      revisits.push_back({places.from, places.to});
+      revisits.push_back(closure);
     } else {
       to_register.constraints.push_back(closure);
     }
@@ -215,7 +215,7 @@ MappedTrack Mapper::assemble(MappedTrack mapped,
                             .T_map_base = T_map_sensor[i] * entry.T_base_sensor.inverse(),
                             .score = entry.tracked.score,
                             .effective_points = entry.tracked.weak.effective_points,
-                            .has_odometry = entry.has_odometry});
+                            .has_odometry = entry.tracked.has_odometry});
   }
   mapped.pieces = pieces_of(track_, joined.is_joined, scans_.size());
   mapped.closures = mapped_closures(track_, closer.compared(), graph);

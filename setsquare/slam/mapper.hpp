@@ -57,7 +57,8 @@ struct MapperParams {
 ///    (join_pieces); weights of the closures by graduated non-convexity (solve_robustly), all
 ///    keyframes registered with their neighbours (register_keyframes), scans laid out between them
 ///    (assemble_track).
-/// The map's axes are the building's. Memory grows with the keyframes.
+/// The map's axes are the building's. Memory grows with the log: a pose for every scan, and the
+/// keyframes.
 class Mapper {
  public:
   explicit Mapper(const MapperParams& params = {});
@@ -77,7 +78,6 @@ class Mapper {
     Timestamp stamp;
     TrackedPose tracked;
     Pose2 T_base_sensor;
-    bool has_odometry = false;
   };
 
   void add_keyframe(const Scan& scan);

@@ -18,7 +18,7 @@ struct MotionUncertaintyParams {
   double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
   double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
   double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
-  double restart_sigma_m = 20.0;                   ///< Of each new start of the submap.
+  double restart_sigma_m = 200.0;                  ///< Of each new start of the submap.
 
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
@@ -43,6 +43,7 @@ struct MotionCovariance {
   /// How far the motion may be off beyond tracking's usual noise: where walls left a direction
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
+  bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
 };
 
 /// Gathers, scan by scan, how uncertain the motion since the last keyframe is.
@@ -50,8 +51,8 @@ class MotionUncertainty {
  public:
   explicit MotionUncertainty(const MotionUncertaintyParams& params) : params_(params) {}
 
-  /// The next scan, and whether odometry predicted it.
-  void add(const TrackedPose& tracked, bool has_odometry);
+  /// The next scan.
+  void add(const TrackedPose& tracked);
 
   /// The covariance of the motion up to the last scan added, which is a keyframe; starts anew.
   [[nodiscard]] MotionCovariance take();
@@ -59,6 +60,7 @@ class MotionUncertainty {
  private:
   MotionUncertaintyParams params_;
   bool has_last_ = false;
+  bool has_odometry_ = true;  ///< At every scan since the last keyframe.
   Pose2 T_odom_last_;      ///< Of the last scan ...
   Pose2 T_odom_keyframe_;  ///< ... and of the last keyframe.
   /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.

@@ -23,22 +23,35 @@ constexpr std::ptrdiff_t kReach = 2;
 /// A turn counts as so much distance: who looks the same way sees the same walls.
 constexpr double kMetresPerRadian = 1.0;
 
+/// Calls visit(from, to) for the keyframes about those of a closure, each in its own stretch.
+template <typename Visit>
+void visit_pairs_about(const Constraint& closure, const KeyframeTrack& track, Visit visit) {
+  const auto n = static_cast<std::ptrdiff_t>(track.size());
+  const auto is_beside = [&](std::ptrdiff_t k, std::size_t middle) {
+    return k >= 0 && k < n &&
+           track.stretches[static_cast<std::size_t>(k)] == track.stretches[middle];
+  };
+  for (std::ptrdiff_t a = -kReach; a <= kReach; ++a) {
+    const auto from = static_cast<std::ptrdiff_t>(closure.from) + a;
+    if (!is_beside(from, closure.from)) continue;
+    for (std::ptrdiff_t b = -kReach; b <= kReach; ++b) {
+      const auto to = static_cast<std::ptrdiff_t>(closure.to) + b;
+      if (!is_beside(to, closure.to) || from >= to) continue;
+      visit(static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+    }
+  }
+}
+
 /// Earlier keyframes that saw the same place, a list a keyframe.
 std::vector<std::vector<std::size_t>> revisited_keyframes(const KeyframeTrack& track,
-                                                          std::span<const RevisitedPlace> revisits,
+                                                          std::span<const Constraint> closures,
                                                           const PoseGraph& graph,
                                                           std::size_t max_num) {
-  const auto n = static_cast<std::ptrdiff_t>(track.size());
   std::vector<std::vector<std::size_t>> earlier(track.size());
-  for (const RevisitedPlace& place : revisits) {
-    for (std::ptrdiff_t a = -kReach; a <= kReach; ++a) {
-      const auto from = static_cast<std::ptrdiff_t>(place.from) + a;
-      for (std::ptrdiff_t b = -kReach; b <= kReach; ++b) {
-        const auto to = static_cast<std::ptrdiff_t>(place.to) + b;
-        if (from < 0 || to >= n || from >= to) continue;
-        earlier[static_cast<std::size_t>(to)].push_back(static_cast<std::size_t>(from));
-      }
-    }
+  for (const Constraint& closure : closures) {
+    visit_pairs_about(closure, track, [&](std::size_t from, std::size_t to) {
+      earlier[to].push_back(from);
+    });
   }
   for (std::size_t k = 0; k < track.size(); ++k) {
     std::vector<std::size_t>& list = earlier[k];
@@ -83,6 +96,19 @@ std::optional<Constraint> compare(const KeyframeTrack& track,
   return constraint;
 }
 
+/// Whether one of the pairs about a closure was compared. `compared`: a list a keyframe.
+bool is_compared(const Constraint& closure,
+                 const KeyframeTrack& track,
+                 const std::vector<std::vector<Constraint>>& compared) {
+  bool is_found = false;
+  visit_pairs_about(closure, track, [&](std::size_t from, std::size_t to) {
+    is_found = is_found || std::any_of(compared[to].begin(),
+                                       compared[to].end(),
+                                       [&](const Constraint& pair) { return pair.from == from; });
+  });
+  return is_found;
+}
+
 }  // namespace
 
 void RegistrationParams::validate() const {
@@ -91,12 +117,12 @@ void RegistrationParams::validate() const {
 }
 
 void register_keyframes(const KeyframeTrack& track,
-                        std::span<const RevisitedPlace> revisits,
+                        std::span<const Constraint> closures,
                         PoseGraph& graph,
                         const RegistrationParams& params,
                         std::size_t num_threads) {
   for (int round = 0; round < params.num_rounds; ++round) {
-    const auto earlier = revisited_keyframes(track, revisits, graph, params.max_revisits);
+    const auto earlier = revisited_keyframes(track, closures, graph, params.max_revisits);
     std::vector<std::vector<Constraint>> compared(track.size());
     run_in_parallel(track.size(), num_threads, [&](std::size_t k) {
       const SurfacePoints& points = track.keyframes[k]->points;
@@ -115,6 +141,9 @@ void register_keyframes(const KeyframeTrack& track,
     PoseGraph all = graph;
     for (const auto& list : compared) {
       all.constraints.insert(all.constraints.end(), list.begin(), list.end());
+    }
+    for (const Constraint& closure : closures) {
+      if (!is_compared(closure, track, compared)) all.constraints.push_back(closure);
     }
     polish(all, {.max_iterations = 1});
     graph.T_map_node = std::move(all.T_map_node);

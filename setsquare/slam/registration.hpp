@@ -26,21 +26,18 @@ struct RegistrationParams {
   void validate() const;
 };
 
-/// Two stations that are known to see the same place.
-struct RevisitedPlace {
-  std::size_t from = 0;  ///< Keyframe.
-  std::size_t to = 0;    ///< Keyframe, later.
-};
-
 /// Moves all keyframes at once until the scans agree: every keyframe is compared, point to line,
 /// with those just before it and with those of earlier visits, each comparison's normal equations
 /// become a constraint, and the graph of all of them is polished together with the headings
 /// measured against the building. The surfaces themselves decide, not the poses found earlier.
+///
+/// `closures` tell which keyframes see a place again, `from` before `to`: those about them are
+/// compared in their stead. One where no comparison comes about stands for itself.
 /// `graph`: poses of the sensors near their places, which are moved; heading measurements; and the
 /// constraints that hold beside the comparisons, by their weights. Any number of threads gives the
 /// same poses.
 void register_keyframes(const KeyframeTrack& track,
-                        std::span<const RevisitedPlace> revisits,
+                        std::span<const Constraint> closures,
                         PoseGraph& graph,
                         const RegistrationParams& params,
                         std::size_t num_threads);

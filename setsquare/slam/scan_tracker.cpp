@@ -20,7 +20,8 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
   const bool sees_enough = points.size() >= params_.min_points;
   const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
-  const bool is_anywhere = gap_.add(scan) && !motion_.has_odometry(T_wheels_sensor);
+  const bool has_odometry = motion_.has_odometry(T_wheels_sensor);
+  const bool is_anywhere = gap_.add(scan) && !has_odometry;
   TrackedPose tracked;
   tracked.T_odom_sensor = predicted;
   if (!sees_enough) {
@@ -28,8 +29,9 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
     tracked.score = 0.0;
   } else if (!submap_.empty()) {
     tracked =
-        place(scan, sample_surface(points, points.size()), predicted, T_wheels_sensor, is_anywhere);
+        place(scan, sample_surface(points, points.size()), predicted, has_odometry, is_anywhere);
   }
+  tracked.has_odometry = has_odometry;
   // A scan that sees next to nothing tells nothing against the submap.
   if (sees_enough) {
     num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
@@ -38,7 +40,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
     keep_if_far(scan, std::move(points), tracked);
   }
   motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
-  if (tracked.status == TrackStatus::kRecovered) motion_.restart();
+  if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
   ++num_scans_;
   return tracked;
 }
@@ -46,11 +48,10 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
 TrackedPose ScanTracker::place(const Scan& scan,
                                const SurfaceSamples& points,
                                const Pose2& predicted,
-                               const std::optional<Pose2>& T_wheels_sensor,
+                               bool has_odometry,
                                bool is_anywhere) {
-  const PredictionTrust& trust = motion_.has_odometry(T_wheels_sensor)
-                                     ? params_.trust_in_odometry
-                                     : params_.trust_in_last_motion;
+  const PredictionTrust& trust =
+      has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
@@ -82,11 +83,10 @@ TrackedPose ScanTracker::place(const Scan& scan,
           .weak = fit.weak};
 }
 
-/// The old keyframes' poses no longer mean anything to the coming scans, nor does the last motion.
+/// The old keyframes' poses no longer mean anything to the coming scans.
 void ScanTracker::start_anew() {
   submap_.clear();
   submap_images_.clear();
-  motion_.restart();
   num_lost_ = 0;
 }
 

@@ -27,6 +27,7 @@ struct TrackedPose {
   Pose2 T_odom_sensor;
   bool is_keyframe = false;
   bool is_restart = false;  ///< Lost for so long that the submap begins anew with this scan.
+  bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   WeakDirection weak;  ///< In the odom frame.
 };
@@ -56,7 +57,7 @@ class ScanTracker {
   TrackedPose place(const Scan& scan,
                     const SurfaceSamples& points,
                     const Pose2& predicted,
-                    const std::optional<Pose2>& T_wheels_sensor,
+                    bool has_odometry,
                     bool is_anywhere);
   void start_anew();
   void keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked);

@@ -126,6 +126,20 @@ TEST(MapperPieces, OdometryTiesThem) {
   }
 }
 
+TEST(MapperPieces, OdometryThatBeginsBehindTheHoleTiesNothing) {
+  const LogWithHoles log = carried_elsewhere();
+  const std::size_t restart = map_of(log, {}).pieces.at(1).first_scan;
+  Mapper mapper;
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    mapper.add(log.scans[i], i >= restart ? std::optional(log.truth[i]) : std::nullopt);
+  }
+  const MappedTrack track = mapper.finish();
+  ASSERT_EQ(track.pieces.size(), 2U);
+  EXPECT_EQ(track.pieces[1].first_scan, restart);
+  EXPECT_FALSE(track.scans[restart].has_odometry) << "nothing tells where it was before";
+  EXPECT_TRUE(track.scans[restart + 1].has_odometry);
+}
+
 TEST(MapperPieces, ManyThreadsGiveTheSameBits) {
   const LogWithHoles log = carried_away_and_back();
   MapperParams with_three;

@@ -26,7 +26,10 @@ TrackedPose open_along(double direction_rad, const Pose2& T_odom_sensor) {
 
 MotionCovariance covariance_of(const std::vector<TrackedPose>& scans, bool has_odometry = false) {
   MotionUncertainty uncertainty(kParams);
-  for (const TrackedPose& scan : scans) uncertainty.add(scan, has_odometry);
+  for (TrackedPose scan : scans) {
+    scan.has_odometry = has_odometry;
+    uncertainty.add(scan);
+  }
   return uncertainty.take();
 }
 
@@ -103,14 +106,31 @@ TEST(MotionUncertainty, ANewStartIsTheLeastCertainOfAll) {
   EXPECT_GE(covariance.rotation_rad2, square(kParams.restart_sigma_rad));
 }
 
+TEST(MotionUncertainty, OdometryBridgesANewStartOnlyWhereItNeverPaused) {
+  for (const std::size_t without : {1U, 2U, 3U, 9U}) {
+    MotionUncertainty uncertainty(kParams);
+    for (std::size_t i = 0; i < 4; ++i) {
+      TrackedPose scan = at({}, i == 0 ? TrackStatus::kTracked : TrackStatus::kLost);
+      scan.has_odometry = i != without;
+      scan.is_restart = i == 3;
+      uncertainty.add(scan);
+      if (i == 0) static_cast<void>(uncertainty.take());
+    }
+    const MotionCovariance covariance = uncertainty.take();
+    const bool is_bridged = without > 3;
+    EXPECT_EQ(covariance.has_odometry, is_bridged) << without;
+    EXPECT_EQ(covariance.slip_sigma_m < kParams.restart_sigma_m, is_bridged) << without;
+  }
+}
+
 TEST(MotionUncertainty, TakingStartsAnew) {
   MotionUncertainty uncertainty(kParams);
-  uncertainty.add(at({}), false);
-  uncertainty.add(at({1.0, 0.0, 0.0}, TrackStatus::kLost), false);
-  uncertainty.add(at({2.0, 0.0, 0.0}, TrackStatus::kRecovered), false);
-  uncertainty.add(open_along(0.3, {3.0, 0.0, 0.5}), false);
+  uncertainty.add(at({}));
+  uncertainty.add(at({1.0, 0.0, 0.0}, TrackStatus::kLost));
+  uncertainty.add(at({2.0, 0.0, 0.0}, TrackStatus::kRecovered));
+  uncertainty.add(open_along(0.3, {3.0, 0.0, 0.5}));
   (void)uncertainty.take();
-  uncertainty.add(at({3.4, 0.0, 0.5}), false);
+  uncertainty.add(at({3.4, 0.0, 0.5}));
   const MotionCovariance second = uncertainty.take();
   const MotionCovariance alone = covariance_of({at({}), at({0.4, 0.0, 0.0})});
   EXPECT_TRUE(second.translation_m2.isApprox(alone.translation_m2, 1e-9));

@@ -100,13 +100,68 @@ TEST_F(RegistrationInRoom, RevisitedPlacesTieTwoVisitsToEachOther) {
   graph.T_map_node = truth;
   for (std::size_t k = n; k < 2 * n; ++k) graph.T_map_node[k].x_m += 0.03;
   for (std::size_t k = 0; k < 2 * n; ++k) graph.headings.push_back({k, truth[k].theta_rad, 1e5});
-  std::vector<RevisitedPlace> revisits;
-  for (std::size_t k = 5; k + 5 < n; k += 10) revisits.push_back({k, n + k});
-  register_keyframes(track, revisits, graph, {}, 1);
+  std::vector<Constraint> closures;
+  for (std::size_t k = 5; k + 5 < n; k += 10) {
+    Constraint closure;  // that tells nothing but which keyframes to compare
+    closure.from = k;
+    closure.to = n + k;
+    closure.information.setZero();
+    closures.push_back(closure);
+  }
+  register_keyframes(track, closures, graph, {}, 1);
   for (std::size_t k = n; k < 2 * n; ++k) {
     EXPECT_THAT(between(graph.T_map_node[k - n], graph.T_map_node[k]),
                 PoseNear(Pose2{}, PoseTolerance{.translation_m = 0.005, .rotation_rad = 0.002}));
   }
+}
+
+TEST_F(RegistrationInRoom, AClosureThatNoComparisonReplacesStands) {
+  // Two visits again, the second 1 m off: too far for any comparison.
+  const std::size_t n = truth_.size();
+  std::vector<Pose2> truth = truth_;
+  truth.insert(truth.end(), truth_.begin(), truth_.end());
+  KeyframeTrack track = testing::track_in_world(testing::l_shaped_room(), truth, 0.0);
+  for (std::size_t k = n; k < 2 * n; ++k) track.stretches[k] = 1;
+  PoseGraph graph;
+  graph.T_map_node = truth;
+  for (std::size_t k = n; k < 2 * n; ++k) {
+    graph.T_map_node[k].x_m += 20.0;
+    graph.headings.push_back({k, truth[k].theta_rad, 1e5});
+  }
+  Constraint closure;
+  closure.from = n / 2;
+  closure.to = n + n / 2;
+  closure.kind = ConstraintKind::kLoopClosure;
+  closure.information *= 1e4;
+  register_keyframes(track, {&closure, 1}, graph, {}, 1);
+  EXPECT_THAT(between(graph.T_map_node[closure.from], graph.T_map_node[closure.to]),
+              PoseNear(Pose2{}, PoseTolerance{.translation_m = 0.005, .rotation_rad = 0.002}));
+}
+
+TEST_F(RegistrationInRoom, AnotherStretchBesideARevisitedPlaceIsNotCompared) {
+  // The second visit ends with its keyframe n + 5; what follows is of a stretch that nothing joins.
+  const std::size_t n = truth_.size();
+  std::vector<Pose2> truth = truth_;
+  truth.insert(truth.end(), truth_.begin(), truth_.end());
+  KeyframeTrack track = testing::track_in_world(testing::l_shaped_room(), truth, 0.0);
+  for (std::size_t k = n; k < 2 * n; ++k) track.stretches[k] = k <= n + 5 ? 1 : 2;
+  PoseGraph graph;
+  graph.T_map_node = truth;
+  for (std::size_t k = n + 6; k < 2 * n; ++k) graph.T_map_node[k].x_m += 0.03;
+  for (std::size_t k = 0; k < 2 * n; ++k) graph.headings.push_back({k, truth[k].theta_rad, 1e5});
+  Constraint closure;
+  closure.from = 5;
+  closure.to = n + 5;
+  closure.information.setZero();
+  Constraint anchor;  // holds the stretch that nothing joins where it is
+  anchor.from = n + 5;
+  anchor.to = n + 6;
+  anchor.T_from_to = between(graph.T_map_node[n + 5], graph.T_map_node[n + 6]);
+  graph.constraints.push_back(anchor);
+  register_keyframes(track, {&closure, 1}, graph, {}, 1);
+  EXPECT_NEAR((graph.T_map_node[n + 6].translation() - truth[n + 6].translation()).norm(),
+              0.03,
+              0.005);
 }
 
 TEST(Registration, RefusesParametersThatAreNone) {

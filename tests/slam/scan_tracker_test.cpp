@@ -13,6 +13,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/slam/simulated_drive.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/support/rooms.hpp"
 
 namespace setsquare {
 namespace {
@@ -205,6 +206,24 @@ TEST(ScanTracker, StartsAnewWhereItStaysLost) {
   EXPECT_EQ(num_restarts, 1U);
   EXPECT_TRUE(tracked[truth.size() + 4].is_restart) << "the fifth scan that nothing explains";
   EXPECT_NE(tracked.back().status, TrackStatus::kLost);
+}
+
+TEST(ScanTracker, AMotionThatWasLostDoesNotGoOnBehindANewStart) {
+  const std::vector<Pose2> truth = drive({{1.5, 1.5}, {5.0, 1.5}});
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  const std::size_t carried_at = 60;  // At full speed.
+  ASSERT_LT(carried_at, scans.size());
+  scans.resize(carried_at);
+  for (Scan& scan :
+       scans_on_drive(testing::empty_rectangle(0.7, 0.9), {5, Pose2{0.3, 0.4, 0.1}}, kNoise_m)) {
+    scans.push_back(scan);
+  }
+  scans.push_back(scans.back());
+  make_blank(scans.back());
+  const auto tracked = track_all(scans);
+  const TrackedPose& restart = tracked[carried_at + 4];
+  ASSERT_TRUE(restart.is_restart);
+  EXPECT_EQ(tracked.back().T_odom_sensor, restart.T_odom_sensor) << "as if it had gone on";
 }
 
 TEST(ScanTracker, NamesABadParameter) {
