@@ -15,7 +15,7 @@ struct HeadingProposal {
 
 /// What is known of a keyframe's heading before fusion.
 struct HeadingEvidence {
-  double tracked_heading_rad = 0.0;  ///< By tracking: smooth, drifts.
+  double tracked_heading_rad = 0.0;  ///< By tracking: drifts; modulo a whole turn.
   /// Standard deviation of the tracked rotation from the keyframe before; unused for the first.
   double step_sigma_rad = 0.0;
   std::vector<HeadingProposal> proposals;  ///< None where no wall was seen.

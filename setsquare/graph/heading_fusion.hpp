@@ -28,7 +28,7 @@ struct HeadingFusionParams {
 /// The headings after fusion, one value a keyframe unless it says otherwise. The map's axes are
 /// those of the main frame of the building.
 struct FusedHeadings {
-  std::vector<double> heading_rad;        ///< Tracked heading plus drift, unwrapped.
+  std::vector<double> heading_rad;        ///< Tracked heading plus drift; wrap before comparing.
   std::vector<double> drift_rad;          ///< What was added to the tracked heading.
   std::vector<double> weight;             ///< How far its proposals are believed, 0 to 1.
   std::vector<double> heading_sigma_rad;  ///< Standard deviation against the main frame's walls;

@@ -38,6 +38,22 @@ struct MarginalCovariance::Factor {
     }
     return 0.5 * (result + result.transpose());
   }
+
+  /// Of the difference of two positions: J H^-1 J^T, for which J's two rows are solved. Node 0 has
+  /// no part: its position is held.
+  [[nodiscard]] Eigen::Matrix2d way(std::size_t from, std::size_t to) const {
+    const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
+    Eigen::MatrixXd J_transposed = Eigen::MatrixXd::Zero(num_unknowns, 2);
+    const auto add = [&](std::size_t node, double sign) {
+      if (node == 0) return;
+      J_transposed.block<2, 2>(3 * static_cast<Eigen::Index>(node), 0) +=
+          sign * Eigen::Matrix2d::Identity();
+    };
+    add(to, 1.0);
+    add(from, -1.0);
+    const Eigen::Matrix2d result = J_transposed.transpose() * equations.solve(J_transposed);
+    return 0.5 * (result + result.transpose());
+  }
 };
 
 MarginalCovariance::MarginalCovariance(const PoseGraph& graph)
@@ -64,6 +80,12 @@ Eigen::Matrix3d MarginalCovariance::between(std::size_t from, std::size_t to) co
   Eigen::Matrix<double, 3, 6> J;
   J << J_from, J_to;
   return J * factor_->joint(std::array{from, to}) * J.transpose();
+}
+
+Eigen::Matrix2d MarginalCovariance::of_way(std::size_t from, std::size_t to) const {
+  assert(from < factor_->graph.T_map_node.size());
+  assert(to < factor_->graph.T_map_node.size());
+  return factor_->way(from, to);
 }
 
 }  // namespace setsquare

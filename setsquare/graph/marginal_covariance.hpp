@@ -25,6 +25,10 @@ class MarginalCovariance {
   /// Covariance of the relative pose (x, y, theta) of `to` in the frame of `from`.
   [[nodiscard]] Eigen::Matrix3d between(std::size_t from, std::size_t to) const;
 
+  /// Covariance of the way (x, y) from one node to another, in the map frame, in m^2: that of the
+  /// position where `from` is node 0. Unlike between() it is free of the heading of `from`.
+  [[nodiscard]] Eigen::Matrix2d of_way(std::size_t from, std::size_t to) const;
+
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;

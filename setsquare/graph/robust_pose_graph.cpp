@@ -201,7 +201,7 @@ class Graduation {
   /// The step of mu is longer than asked for where the graduation would not end in time.
   void graduate(double mu) {
     const double num_steps = static_cast<double>(params_.max_iterations);
-    const double step = std::max(params_.divide_mu_by, std::pow(kLastMu / mu, 1.0 / num_steps));
+    const double step = std::max(params_.mu_growth, std::pow(kLastMu / mu, 1.0 / num_steps));
     for (int iteration = 0; iteration < params_.max_iterations && reweight(mu); ++iteration) {
       solve();
       mu *= step;
@@ -246,7 +246,7 @@ void RobustPoseGraphParams::validate() const {
   if (!(max_squared_error > 0.0 && max_squared_error <= 1000.0)) {
     throw ParameterError("max_squared_error", "must lie between 0 and 1000");
   }
-  if (!(divide_mu_by > 1.0)) throw ParameterError("divide_mu_by", "must be above 1");
+  if (!(mu_growth > 1.0)) throw ParameterError("mu_growth", "must be above 1");
   if (max_iterations < 1) throw ParameterError("max_iterations", "must be positive");
 }
 

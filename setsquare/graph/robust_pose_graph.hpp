@@ -16,8 +16,8 @@ struct RobustPoseGraphParams {
   /// two degrees of freedom. One that binds a single axis has the threshold that chi-squared of one
   /// degree exceeds as rarely (12.9 for 16; one right closure in 3000).
   double max_squared_error = 16.0;
-  double divide_mu_by = 1.4;  ///< Step of the graduation: 1 / mu shrinks by this factor.
-  int max_iterations = 60;    ///< Of a graduation; the step is longer where it would need more.
+  double mu_growth = 1.4;   ///< Factor from step to step of the graduation: mu grows by it.
+  int max_iterations = 60;  ///< Of a graduation; the step is longer where it would need more.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -31,7 +31,9 @@ Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information,
   const Eigen::Vector3d bound = information * direction;
   const double along = direction.dot(bound);
   if (!(along > 0.0)) return information;
-  return information - bound * bound.transpose() / along;
+  Eigen::Matrix3d left = information - bound * bound.transpose() / along;
+  left.diagonal() = left.diagonal().cwiseMax(0.0);  // rounding may leave a zero below itself
+  return left;
 }
 
 }  // namespace setsquare

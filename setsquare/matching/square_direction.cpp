@@ -8,6 +8,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/matching/curve_peaks.hpp"
 #include "setsquare/matching/square_direction_mean.hpp"
 
@@ -48,10 +49,6 @@ bool is_apart(const SquareDirection& peak,
     return std::abs(wrap_to_period(peak.theta_rad - other.theta_rad, kSquare)) >=
            0.5 * min_separation_rad;
   });
-}
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0) || !std::isfinite(value)) throw ParameterError(name, "must be positive");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
 namespace {
@@ -194,10 +195,6 @@ void weigh(const Scan& scan, const SurfaceParams& params, SurfacePoints& points)
     const double after_m = points.joined[i] ? 0.5 * distance(points, i, i + 1) : half_spacing_m;
     points.weight_m[i] = static_cast<float>(std::min(before_m + after_m, params.max_weight_m));
   }
-}
-
-void require_positive(double value, const char* name) {
-  if (!(value > 0.0)) throw ParameterError(name, "must be positive");
 }
 
 }  // namespace

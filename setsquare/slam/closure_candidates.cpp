@@ -8,7 +8,7 @@
 #include <limits>
 #include <queue>
 
-#include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/slam/position_hash.hpp"
 
 namespace setsquare {
@@ -56,12 +56,18 @@ class ClosureCandidates::ShortestWays {
 };
 
 void ClosureCandidateParams::validate() const {
-  if (!(radius_m > 0.0)) throw ParameterError("radius_m", "must be positive");
-  if (!(window_m > 0.0)) throw ParameterError("window_m", "must be positive");
-  if (!(window_per_metre > 0.0)) throw ParameterError("window_per_metre", "must be positive");
+  require_positive(radius_m, "candidates.radius_m");
+  require_not_negative(min_way_m, "candidates.min_way_m");
+  require_at_least_one(max_num, "candidates.max_num");
+  require_at_least_one(min_separation, "candidates.min_separation");
+  require_positive(window_m, "candidates.window_m");
+  require_positive(window_per_metre, "candidates.window_per_metre");
+  require_finite(max_window_m, "candidates.max_window_m");
   if (!(max_window_m >= window_m)) {
-    throw ParameterError("max_window_m", "must not be below window_m");
+    throw ParameterError("candidates.max_window_m", "must not be below window_m");
   }
+  require_not_negative(slip_way, "candidates.slip_way");
+  require_positive(closure_way_m, "candidates.closure_way_m");
 }
 
 void ClosureCandidates::add_station(double way_m, std::size_t piece) {
@@ -92,7 +98,7 @@ std::vector<ClosureCandidate> ClosureCandidates::find(
 
   std::vector<ClosureCandidate> found;
   std::vector<std::pair<double, ClosureCandidate>> near;
-  for (std::size_t current = first; current < num_stations(); ++current) {
+  for (std::size_t current = first; current < links_.size(); ++current) {
     ways.start_from(current);
     near.clear();
     const auto consider = [&](std::size_t reference) {

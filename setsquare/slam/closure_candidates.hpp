@@ -54,8 +54,6 @@ class ClosureCandidates {
   [[nodiscard]] std::vector<ClosureCandidate> find(
       std::size_t first, std::span<const Eigen::Vector2d> positions_m) const;
 
-  [[nodiscard]] std::size_t num_stations() const { return links_.size(); }
-
  private:
   struct Link {
     std::size_t station;

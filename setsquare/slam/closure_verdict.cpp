@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
 namespace {
@@ -43,13 +43,13 @@ bool is_along(const SubmapFitBothWays& other,
 }  // namespace
 
 void ClosureVerdictParams::validate() const {
-  if (!(min_score > 0.0)) throw ParameterError("min_score", "must be positive");
-  if (!(max_contradiction >= 0.0)) {
-    throw ParameterError("max_contradiction", "must not be negative");
-  }
-  if (!(min_effective_points > 0.0)) {
-    throw ParameterError("min_effective_points", "must be positive");
-  }
+  require_positive(min_score, "verdict.min_score");
+  require_not_negative(max_contradiction, "verdict.max_contradiction");
+  require_not_negative(min_margin, "verdict.min_margin");
+  require_positive(min_effective_points, "verdict.min_effective_points");
+  require_not_negative(max_weak_share, "verdict.max_weak_share");
+  require_not_negative(max_rival_rad, "verdict.max_rival_rad");
+  require_not_negative(max_askew_rad, "verdict.max_askew_rad");
 }
 
 std::string_view to_string(ClosureReason reason) {
@@ -72,6 +72,11 @@ std::string_view to_string(ClosureReason reason) {
   return "unknown";
 }
 
+ClosureAxes axis_across(double open_rad) {
+  const bool is_along_x = std::abs(std::cos(open_rad)) > std::abs(std::sin(open_rad));
+  return is_along_x ? ClosureAxes::kY : ClosureAxes::kX;
+}
+
 ClosureVerdict closure_verdict(const SubmapMatch& match,
                                double reference_heading_rad,
                                const ClosureVerdictParams& params) {
@@ -89,13 +94,11 @@ ClosureVerdict closure_verdict(const SubmapMatch& match,
   if (!is_corridor || !are_along) {
     return {rivals.empty() ? ClosureReason::kOpenDirection : ClosureReason::kAmbiguous};
   }
-  // The open direction in the map frame: along x or along y?
   const double open_rad =
       std::atan2(match.weak.direction.y(), match.weak.direction.x()) + reference_heading_rad;
   const double askew_rad = std::abs(wrap_to_period(open_rad, 0.5 * kPi));
   if (askew_rad > params.max_askew_rad) return {ClosureReason::kOpenDirection};
-  const bool is_open_along_x = std::abs(std::cos(open_rad)) > std::abs(std::sin(open_rad));
-  return {ClosureReason::kOneAxis, is_open_along_x ? ClosureAxes::kY : ClosureAxes::kX};
+  return {ClosureReason::kOneAxis, axis_across(open_rad)};
 }
 
 }  // namespace setsquare

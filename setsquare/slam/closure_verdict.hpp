@@ -46,6 +46,9 @@ struct ClosureVerdict {
   ClosureAxes axes = ClosureAxes::kXY;  ///< Of the map frame.
 };
 
+/// The map's axis that is bound where the direction at this angle in the map is left open.
+[[nodiscard]] ClosureAxes axis_across(double open_rad);
+
 /// `reference_heading_rad`: of the reference in the map frame.
 [[nodiscard]] ClosureVerdict closure_verdict(const SubmapMatch& match,
                                              double reference_heading_rad,

@@ -2,11 +2,23 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/slam/mapped_closures.hpp"
 
+#include <cmath>
 #include <string>
 
 #include "setsquare/matching/base_frame.hpp"
 
 namespace setsquare {
+namespace {
+
+/// Which axes of the final map a closure binds: the map may have turned since it was judged.
+ClosureAxes axes_of(const ComparedPlaces& places, const PoseGraph& graph) {
+  if (places.verdict.reason != ClosureReason::kOneAxis) return places.verdict.axes;
+  const Eigen::Matrix2d bound = places.information.topLeftCorner<2, 2>();
+  const Eigen::Vector2d open = weak_direction(bound).direction;
+  return axis_across(std::atan2(open.y(), open.x()) + graph.T_map_node[places.from].theta_rad);
+}
+
+}  // namespace
 
 std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
                                            std::span<const ComparedPlaces> compared,
@@ -24,7 +36,7 @@ std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
         .stamp_i = scan_i.stamp,
         .stamp_j = scan_j.stamp,
         .T_i_j = scan_i.T_base_sensor * places.T_from_to * scan_j.T_base_sensor.inverse(),
-        .axes = places.verdict.axes,
+        .axes = axes_of(places, graph),
         .is_accepted = accepted,
         .weight = accepted ? graph.constraints[next].weight : 0.0,
         .reason = std::string(to_string(places.verdict.reason))};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/slam/heading_proposals.hpp"
 #include "setsquare/slam/mapped_closures.hpp"
@@ -21,13 +22,16 @@ constexpr double kTrackedMotionWeight = 0.05;
 /// Of the rotation between two pieces that were joined, as matches of scans tell it.
 constexpr double kJointSigma_rad = rad_from_deg(3.0);
 
-/// What the walls said of the headings, as measurements in the map frame.
-std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
+/// What the walls said of the headings, as measurements in the map frame. Neighbours err alike: so
+/// many of them count as one.
+std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings,
+                                                     double num_alike) {
   std::vector<HeadingMeasurement> measurements;
   for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
     if (!(headings.measured_information[k] > 0.0)) continue;
-    measurements.push_back(
-        {k, wrap_to_pi(headings.measured_heading_rad[k]), headings.measured_information[k]});
+    measurements.push_back({k,
+                            wrap_to_pi(headings.measured_heading_rad[k]),
+                            headings.measured_information[k] / num_alike});
   }
   return measurements;
 }
@@ -60,7 +64,8 @@ void MapperParams::validate() const {
   joining.validate();
   registration.validate();
   if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");
-  if (!(closing_growth > 0.0)) throw ParameterError("closing_growth", "must be positive");
+  require_not_negative(closing_growth, "closing_growth");
+  require_at_least_one(min_closing_growth, "min_closing_growth");
 }
 
 Mapper::Mapper(const MapperParams& params)
@@ -160,7 +165,7 @@ MappedTrack Mapper::finish() const {
     close_loops(headings_rad, track_.size(), closer);
   }
   PoseGraph graph = graph_along(headings_rad, closer);
-  graph.headings = heading_measurements(mapped.headings);
+  graph.headings = heading_measurements(mapped.headings, params_.heading.num_alike);
   if (track_.size() > 1) {
     solve_robustly(graph, {}, params_.robust);
     register_all(closer, graph);

@@ -32,15 +32,12 @@ class MotionPrediction {
     return T_wheels_sensor && T_wheels_sensor_;
   }
 
-  /// The same from the last motion alone.
-  [[nodiscard]] Pose2 next_by_last_motion() const;
-
-  [[nodiscard]] const Pose2& last() const { return poses_.back(); }
-
   /// Forgets the motion before the last pose: it was not observed.
   void restart();
 
  private:
+  [[nodiscard]] Pose2 next_by_last_motion() const;
+
   std::size_t num_scans_averaged_;
   std::deque<Pose2> poses_;  ///< T_odom_sensor of the last scans, the newest at the back.
   std::optional<Pose2> T_wheels_sensor_;

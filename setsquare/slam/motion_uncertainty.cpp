@@ -40,9 +40,8 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
       const double way_m =
           has_last_ ? (tracked.T_odom_sensor.translation() - T_odom_last_.translation()).norm()
                     : 0.0;
-      const double sigma_per_metre = tracked.has_odometry
-                                         ? params_.open_sigma_per_metre_by_odometry
-                                         : params_.open_sigma_per_metre;
+      const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
+                                                          : params_.open_sigma_per_metre;
       const Eigen::Vector2d& u = tracked.weak.direction;
       // One scan's error is much like the next one's: sigmas add up, not variances.
       open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();

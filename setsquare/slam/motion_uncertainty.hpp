@@ -61,8 +61,8 @@ class MotionUncertainty {
   MotionUncertaintyParams params_;
   bool has_last_ = false;
   bool has_odometry_ = true;  ///< At every scan since the last keyframe.
-  Pose2 T_odom_last_;      ///< Of the last scan ...
-  Pose2 T_odom_keyframe_;  ///< ... and of the last keyframe.
+  Pose2 T_odom_last_;         ///< Of the last scan ...
+  Pose2 T_odom_keyframe_;     ///< ... and of the last keyframe.
   /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.
   Eigen::Matrix2d open_sigma_m_ = Eigen::Matrix2d::Zero();
   double jump_variance_m2_ = 0.0;

@@ -8,8 +8,8 @@
 #include <set>
 #include <utility>
 
-#include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/slam/place_signature.hpp"
 
@@ -75,6 +75,7 @@ class PieceJoiner {
   }
 
   bool join(std::size_t piece) {
+    if (places_[piece].size() < params_.min_agreeing) return false;
     std::vector<Proposal> proposals = propose(piece);
     verify_new(proposals);
     std::erase_if(proposals, [](const Proposal& proposal) { return !proposal.is_verified; });
@@ -117,7 +118,7 @@ class PieceJoiner {
       }
     }
     const std::vector<Place>& sought = places_[piece];
-    const std::size_t stride = 1 + sought.size() / (params_.max_num_queries + 1);
+    const std::size_t stride = 1 + (sought.size() - 1) / params_.max_num_queries;  // rounded up
     std::vector<Proposal> proposals;
     for (std::size_t i = 0; i < sought.size(); i += stride) {
       for (const std::size_t k :
@@ -235,9 +236,12 @@ class PieceJoiner {
 }  // namespace
 
 void PieceJoiningParams::validate() const {
-  if (max_num_queries < 1) throw ParameterError("max_num_queries", "must be at least 1");
-  if (!(window_m > 0.0)) throw ParameterError("window_m", "must be positive");
-  if (min_agreeing < 1) throw ParameterError("min_agreeing", "must be at least 1");
+  require_at_least_one(max_num_queries, "joining.max_num_queries");
+  require_at_least_one(num_similar, "joining.num_similar");
+  require_positive(window_m, "joining.window_m");
+  require_at_least_one(min_agreeing, "joining.min_agreeing");
+  require_positive(agreeing_m, "joining.agreeing_m");
+  require_positive(agreeing_rad, "joining.agreeing_rad");
 }
 
 JoinedPieces join_pieces(const KeyframeTrack& track,
@@ -245,6 +249,7 @@ JoinedPieces join_pieces(const KeyframeTrack& track,
                          const LoopCloserParams& closing,
                          const PieceJoiningParams& params,
                          std::size_t num_threads) {
+  params.validate();
   return PieceJoiner(track, T_map_sensor, closing, params, num_threads).join_all();
 }
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/graph/gauss_newton_pose_graph.hpp"
 
 namespace setsquare {
@@ -49,9 +49,8 @@ std::vector<std::vector<std::size_t>> revisited_keyframes(const KeyframeTrack& t
                                                           std::size_t max_num) {
   std::vector<std::vector<std::size_t>> earlier(track.size());
   for (const Constraint& closure : closures) {
-    visit_pairs_about(closure, track, [&](std::size_t from, std::size_t to) {
-      earlier[to].push_back(from);
-    });
+    visit_pairs_about(
+        closure, track, [&](std::size_t from, std::size_t to) { earlier[to].push_back(from); });
   }
   for (std::size_t k = 0; k < track.size(); ++k) {
     std::vector<std::size_t>& list = earlier[k];
@@ -112,8 +111,11 @@ bool is_compared(const Constraint& closure,
 }  // namespace
 
 void RegistrationParams::validate() const {
-  if (num_rounds < 0) throw ParameterError("num_rounds", "must not be negative");
-  if (!(point_sigma_m > 0.0)) throw ParameterError("point_sigma_m", "must be positive");
+  require_not_negative(num_rounds, "registration.num_rounds");
+  scale.validate("registration.scale");
+  require_not_negative(min_explained, "registration.min_explained");
+  require_not_negative(max_contradicted, "registration.max_contradicted");
+  require_positive(point_sigma_m, "registration.point_sigma_m");
 }
 
 void register_keyframes(const KeyframeTrack& track,

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/core/timestamp.hpp"
 
 namespace setsquare {
@@ -16,10 +17,21 @@ constexpr double kNewest = 0.1;  ///< Weight of the newest pause in the usual on
 
 }  // namespace
 
+void ScanGapParams::validate() const {
+  require_positive(min_gap_s, "gap.min_gap_s");
+  require_positive(min_num_periods, "gap.min_num_periods");
+  require_positive(same_range_m, "gap.same_range_m");
+  if (!(min_same > 0.0 && min_same <= 1.0)) {
+    throw ParameterError("gap.min_same", "must be above 0, and at most 1");
+  }
+}
+
 bool ScanGap::add(const Scan& scan) {
   const std::optional<Scan> before = std::exchange(last_, scan);
+  const Timestamp latest =
+      std::exchange(latest_, before ? std::max(before->stamp, scan.stamp) : scan.stamp);
   if (!before) return false;
-  const double pause_s = seconds_between(before->stamp, scan.stamp);
+  const double pause_s = seconds_between(latest, scan.stamp);
   if (pause_s <= 0.0) return false;
   if (period_s_ == 0.0) {  // nobody knows whether the first pause is a usual one
     period_s_ = pause_s;

@@ -13,10 +13,15 @@ struct ScanGapParams {
   double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
   double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
   double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Tells where a log has a gap: the robot may be anywhere after it, unless it sees what it saw
-/// before. Stamps that run backwards, as those of real logs do, make no gap.
+/// before. Stamps that run backwards, as those of real logs do, make no gap: a pause counts from
+/// the later one of the two stamps before. So a single stamp that jumps back does no harm when time
+/// goes on, and a clock that was set back for good is followed from its second stamp on.
 class ScanGap {
  public:
   explicit ScanGap(const ScanGapParams& params) : params_(params) {}
@@ -29,6 +34,7 @@ class ScanGap {
 
   ScanGapParams params_;
   std::optional<Scan> last_;
+  Timestamp latest_;       ///< The later stamp of the last two scans.
   double period_s_ = 0.0;  ///< The usual pause; 0 until there was one.
 };
 

@@ -26,7 +26,7 @@ struct TrackedPose {
   TrackStatus status = TrackStatus::kTracked;
   Pose2 T_odom_sensor;
   bool is_keyframe = false;
-  bool is_restart = false;  ///< Lost for so long that the submap begins anew with this scan.
+  bool is_restart = false;    ///< Lost for so long that the submap begins anew with this scan.
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   WeakDirection weak;  ///< In the odom frame.

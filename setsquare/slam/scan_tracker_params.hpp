@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/matching/surface_image.hpp"
@@ -17,6 +18,9 @@ struct PredictionTrust {
   double weight = 2.0;    ///< Of each effective point that is missing.
   double sigma_m = 0.15;  ///< How far off it is taken to be.
   double min_gain = 0.0;  ///< Closeness that a place elsewhere along the corridor must gain.
+
+  /// Throws ParameterError that names the field. `name`: of this trust among others.
+  void validate(const std::string& name) const;
 };
 
 /// Parameters of the Gauss-Newton refinement against the submap.
@@ -30,6 +34,9 @@ struct SubmapRefinementParams {
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
   double chance_points = 1.0;  ///< So many, or fewer, are chance: a bare corridor's.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Parameters of the search along a corridor.
@@ -39,6 +46,9 @@ struct CorridorSearchParams {
   double step_m = 0.05;
   double scale_m = 0.06;      ///< Closeness of points to surfaces.
   double motion_cost = 0.02;  ///< Closeness given up for one sigma off the prediction.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Parameters of finding the pose again.
@@ -50,6 +60,9 @@ struct RecoveryParams {
   double near_m = 0.6;            ///< Beyond it, or ...
   double near_rad = rad_from_deg(35.0);  ///< ... this, from the expected pose, a place is far ...
   double far_min_score = 0.5;  ///< ... and must have this score, by a match that stands alone.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Parameters of the scan tracker.

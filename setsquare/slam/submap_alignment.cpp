@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/matching/sector_lanes.hpp"
 
 namespace setsquare {
@@ -159,6 +160,11 @@ void count_marks(const PointMarks& marks, SubmapAlignment& alignment) {
 }
 
 }  // namespace
+
+void AlignmentScale::validate(const std::string& owner) const {
+  require_positive(gate_m, owner + ".gate_m");
+  require_positive(scale_m, owner + ".scale_m");
+}
 
 SubmapAlignment align_with_submap(std::span<const PlacedImage> submap,
                                   const SurfaceSamples& points,

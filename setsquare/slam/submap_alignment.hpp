@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <Eigen/Core>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
@@ -17,6 +18,9 @@ namespace setsquare {
 struct AlignmentScale {
   double gate_m = 0.15;   ///< Farther points have no part.
   double scale_m = 0.05;  ///< Distance at which a point's weight has fallen to 1/4 (Geman-McClure).
+
+  /// Throws ParameterError that names the field as one of `owner`.
+  void validate(const std::string& owner) const;
 };
 
 /// A scan against a submap at one pose: what agrees, and the normal equations of the point-to-line

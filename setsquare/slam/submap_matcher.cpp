@@ -7,7 +7,7 @@
 #include <Eigen/Cholesky>
 #include <utility>
 
-#include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
 namespace {
@@ -159,10 +159,16 @@ double distance_m(const SubmapFitBothWays& a, const SubmapFitBothWays& b) {
 }  // namespace
 
 void SubmapMatchParams::validate() const {
-  if (max_num_proposals < 1) throw ParameterError("max_num_proposals", "must be at least 1");
-  if (!(heading_weight >= 0.0)) throw ParameterError("heading_weight", "must not be negative");
-  if (!(min_compared > 0.0)) throw ParameterError("min_compared", "must be positive");
-  if (!(distinct_m > 0.0)) throw ParameterError("distinct_m", "must be positive");
+  require_at_least_one(max_num_proposals, "match.max_num_proposals");
+  require_finite(min_start_score, "match.min_start_score");
+  catching.validate("match.catching");
+  settling.validate("match.settling");
+  require_at_least_one(num_catching_steps, "match.num_catching_steps");
+  require_at_least_one(num_settling_steps, "match.num_settling_steps");
+  require_not_negative(heading_weight, "match.heading_weight");
+  require_not_negative(contradiction_weight, "match.contradiction_weight");
+  require_positive(min_compared, "match.min_compared");
+  require_positive(distinct_m, "match.distinct_m");
 }
 
 std::optional<SubmapMatch> match_submaps(const Submap& reference,

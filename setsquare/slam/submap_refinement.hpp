@@ -22,8 +22,8 @@ struct TrackingProblem {
 /// A scan placed in its submap.
 struct SubmapFit {
   Pose2 T_odom_sensor;
-  SubmapAlignment alignment;  ///< Without the prediction's share.
-  WeakDirection weak;         ///< In the odom frame.
+  SubmapAlignment alignment;  ///< Where the last step began; without the prediction's share.
+  WeakDirection weak;         ///< Of that alignment, in the odom frame.
 };
 
 /// Gauss-Newton, point to line, from `start`: wide gate first, narrow gate after. Where fewer than

@@ -20,10 +20,63 @@ std::size_t keyframe_before(const MappedTrack& track, std::size_t scan) {
              : static_cast<std::size_t>(after - track.keyframes.begin()) - 1;
 }
 
-double largest_sigma_m(const Eigen::Matrix3d& covariance) {
-  const Eigen::Matrix2d position = covariance.topLeftCorner<2, 2>();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(position, Eigen::EigenvaluesOnly);
+double largest_sigma_m(const Eigen::Matrix2d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance, Eigen::EigenvaluesOnly);
   return std::sqrt(std::max(0.0, solver.eigenvalues().y()));
+}
+
+/// A piece that was joined: its scans, and its keyframes, of which it has one at least.
+struct JoinedPiece {
+  std::size_t first_scan = 0;
+  std::size_t end_scan = 0;
+  std::size_t first_node = 0;
+  std::size_t num_nodes = 0;
+};
+
+std::vector<JoinedPiece> joined_pieces(const MappedTrack& track) {
+  std::vector<JoinedPiece> joined;
+  const auto node_at = [&](std::size_t scan) {
+    const auto at = std::lower_bound(track.keyframes.begin(), track.keyframes.end(), scan);
+    return static_cast<std::size_t>(at - track.keyframes.begin());
+  };
+  for (const TrackPiece& piece : track.pieces) {
+    const std::size_t end_scan = piece.first_scan + piece.num_scans;
+    const std::size_t first_node = node_at(piece.first_scan);
+    const std::size_t num_nodes = node_at(end_scan) - first_node;
+    if (!piece.is_joined || num_nodes == 0) continue;
+    joined.push_back({piece.first_scan, end_scan, first_node, num_nodes});
+  }
+  return joined;
+}
+
+/// So many nodes of a piece, evenly from its first to its last; all where it has fewer.
+std::vector<std::size_t> spread_nodes(const JoinedPiece& piece, std::size_t num) {
+  std::vector<std::size_t> nodes;
+  const std::size_t num_spread = std::min(piece.num_nodes, std::max<std::size_t>(2, num));
+  for (std::size_t k = 0; k < num_spread; ++k) {
+    const std::size_t of_piece = k == 0 ? 0 : k * (piece.num_nodes - 1) / (num_spread - 1);
+    nodes.push_back(piece.first_node + of_piece);
+  }
+  return nodes;
+}
+
+/// Sigmas of a piece's scans from those at some of its nodes: straight lines between, constant
+/// before the first and behind the last.
+void interpolate(const MappedTrack& track,
+                 const JoinedPiece& piece,
+                 const std::vector<std::size_t>& nodes,
+                 const std::vector<double>& of_node_m,
+                 std::vector<double>& of_scan_m) {
+  std::size_t next = 0;  // The first node behind the scan.
+  for (std::size_t scan = piece.first_scan; scan < piece.end_scan; ++scan) {
+    while (next < nodes.size() && track.keyframes[nodes[next]] <= scan) ++next;
+    of_scan_m[scan] = of_node_m[next == 0 ? 0 : next - 1];
+    if (next == 0 || next == nodes.size()) continue;
+    const std::size_t before = track.keyframes[nodes[next - 1]];
+    const std::size_t after = track.keyframes[nodes[next]];
+    const double share = static_cast<double>(scan - before) / static_cast<double>(after - before);
+    of_scan_m[scan] += share * (of_node_m[next] - of_node_m[next - 1]);
+  }
 }
 
 /// A run of degenerate scans: way, and the mean of its displacements modulo pi.
@@ -63,34 +116,23 @@ double length_sigma_m(const MappedTrack& track,
 }  // namespace
 
 std::vector<double> position_sigmas_m(const MappedTrack& track, std::size_t max_num_nodes) {
-  const std::size_t num_nodes = track.graph.T_map_node.size();
-  if (num_nodes == 0) return {};
+  if (track.graph.T_map_node.empty()) return {};
+  std::vector<double> of_scan_m(track.scans.size(), std::numeric_limits<double>::infinity());
+  const std::vector<JoinedPiece> joined = joined_pieces(track);
+  std::size_t num_joined_nodes = 0;
+  for (const JoinedPiece& piece : joined) num_joined_nodes += piece.num_nodes;
+  max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
   const MarginalCovariance marginals(track.graph);
-  const std::size_t stride =
-      std::max<std::size_t>(1, num_nodes / std::max<std::size_t>(1, max_num_nodes));
-  std::vector<std::size_t> scans;
-  std::vector<double> sigmas_m;
-  for (std::size_t node = 0; node < num_nodes; node += stride) {
-    scans.push_back(track.keyframes[node]);
-    sigmas_m.push_back(largest_sigma_m(marginals.of(node)));
-  }
-  std::vector<double> of_scan(track.scans.size(), sigmas_m.back());
-  for (std::size_t k = 0; k + 1 < scans.size(); ++k) {
-    for (std::size_t i = k == 0 ? 0 : scans[k]; i < scans[k + 1]; ++i) {
-      const double share = i < scans[k] ? 0.0
-                                        : static_cast<double>(i - scans[k]) /
-                                              static_cast<double>(scans[k + 1] - scans[k]);
-      of_scan[i] = sigmas_m[k] + share * (sigmas_m[k + 1] - sigmas_m[k]);
+  for (const JoinedPiece& piece : joined) {
+    const std::vector<std::size_t> nodes =
+        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes);
+    std::vector<double> of_node_m;
+    for (const std::size_t node : nodes) {
+      of_node_m.push_back(largest_sigma_m(marginals.of_way(joined.front().first_node, node)));
     }
+    interpolate(track, piece, nodes, of_node_m, of_scan_m);
   }
-  for (const TrackPiece& piece : track.pieces) {
-    if (piece.is_joined) continue;
-    const auto first = of_scan.begin() + static_cast<std::ptrdiff_t>(piece.first_scan);
-    std::fill(first,
-              first + static_cast<std::ptrdiff_t>(piece.num_scans),
-              std::numeric_limits<double>::infinity());
-  }
-  return of_scan;
+  return of_scan_m;
 }
 
 std::vector<OpenStretch> open_stretches(const MappedTrack& track, double min_way_m) {

@@ -9,10 +9,11 @@
 
 namespace setsquare {
 
-/// How certain each scan's position is against the first one's: the standard deviation in m along
-/// its least certain direction, by the marginal covariances of the graph at up to `max_num_nodes`
-/// keyframes, interpolated over the scans. Infinite for scans of pieces that were not joined; empty
-/// where there is no graph.
+/// How certain each scan's position is against that of the first keyframe that hangs together with
+/// the largest piece: the standard deviation in m along its least certain direction, by the
+/// marginal covariances of the graph at up to `max_num_nodes` keyframes - the first and the last of
+/// each piece at least -, interpolated over the scans of a piece. Infinite for scans of pieces that
+/// were not joined; empty where there is no graph.
 [[nodiscard]] std::vector<double> position_sigmas_m(const MappedTrack& track,
                                                     std::size_t max_num_nodes = 48);
 

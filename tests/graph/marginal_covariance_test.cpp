@@ -106,6 +106,28 @@ TEST(MarginalCovariance, BetweenTwoNodes) {
   EXPECT_GT(MarginalCovariance(chain).of(100).trace(), 10.0 * step.trace());
 }
 
+TEST(MarginalCovariance, OfTheWayIsThatOfTheDenseInverse) {
+  std::mt19937_64 generator = make_generator();
+  PoseGraph graph = small_graph(generator).graph;
+  for (const bool has_headings : {true, false}) {
+    if (!has_headings) graph.headings.clear();
+    const Eigen::MatrixXd dense = dense_covariance(graph);
+    const MarginalCovariance covariance(graph);
+    for (const std::size_t from : {0U, 1U, 40U}) {
+      for (std::size_t to = 0; to < graph.T_map_node.size(); to += 9) {
+        Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2, dense.cols());
+        J.middleCols<2>(3 * static_cast<Eigen::Index>(to)).setIdentity();
+        J.middleCols<2>(3 * static_cast<Eigen::Index>(from)) -= Eigen::Matrix2d::Identity();
+        const Eigen::Matrix2d expected = J * dense * J.transpose();
+        const Eigen::Matrix2d found = covariance.of_way(from, to);
+        EXPECT_LE((found - expected).norm(), 1e-6 * expected.norm()) << from << " to " << to;
+        EXPECT_EQ(found, found.transpose());
+      }
+    }
+    EXPECT_TRUE(covariance.of_way(0, 60).isApprox(covariance.of(60).topLeftCorner<2, 2>(), 1e-9));
+  }
+}
+
 TEST(MarginalCovariance, IsThatOfTheErrorsOfManyRuns) {
   std::mt19937_64 generator = make_generator();
   constexpr int kNumRuns = 300;

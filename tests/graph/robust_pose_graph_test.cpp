@@ -235,7 +235,7 @@ TEST(RobustPoseGraph, ParametersAreChecked) {
     solve_robustly(graph, {}, params);
   };
   EXPECT_THROW(solve_with({.max_squared_error = 0.0}), ParameterError);
-  EXPECT_THROW(solve_with({.divide_mu_by = 1.0}), ParameterError);
+  EXPECT_THROW(solve_with({.mu_growth = 1.0}), ParameterError);
   EXPECT_THROW(solve_with({.max_iterations = 0}), ParameterError);
   const std::size_t groups[] = {0};
   EXPECT_THROW(solve_robustly(graph, groups), ParameterError);

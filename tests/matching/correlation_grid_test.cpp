@@ -120,9 +120,8 @@ Pair random_pair(std::mt19937_64& generator) {
 
 /// A window's middle and rotation.
 Pose2 random_middle(std::mt19937_64& generator) {
-  return {uniform(generator, -6.0, 6.0),
-          uniform(generator, -6.0, 6.0),
-          uniform(generator, -kPi, kPi)};
+  return {
+      uniform(generator, -6.0, 6.0), uniform(generator, -6.0, 6.0), uniform(generator, -kPi, kPi)};
 }
 
 int shift_cells(double translation_m) {

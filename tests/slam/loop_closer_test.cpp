@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "setsquare/core/error.hpp"
@@ -105,6 +106,39 @@ TEST_F(LoopCloserAroundABlock, KeepsTheJointsThatItIsGiven) {
   ASSERT_FALSE(closer.compared().empty());
   EXPECT_EQ(closer.compared().front().from, 4U);
   EXPECT_EQ(closer.compared().front().to, 60U);
+}
+
+TEST_F(LoopCloserAroundABlock, ComparesPiecesOnceAJointTiesThem) {
+  // The second piece begins when the robot is back where it began.
+  std::size_t second = truth_.size() / 2;
+  while ((truth_[second].translation() - truth_[0].translation()).norm() > 0.3) ++second;
+  ASSERT_LT(second + 20, truth_.size());
+  for (std::size_t k = second; k < track_.size(); ++k) track_.pieces[k] = 1;
+  const auto num_across = [&](const LoopCloser& closer) {
+    return std::count_if(closer.compared().begin(), closer.compared().end(), [&](const auto& pair) {
+      return (pair.from < second) != (pair.to < second);
+    });
+  };
+  LoopCloser apart;
+  apart.extend(track_, track_.size(), truth_, 1);
+  EXPECT_EQ(num_across(apart), 0);
+
+  ComparedPlaces joint;
+  joint.from = 9;
+  joint.to = second + 9;
+  joint.verdict.reason = ClosureReason::kStandsAlone;
+  LoopCloser at_once;
+  LoopCloser bit_by_bit;  // Its joint waits until both its places are stations.
+  for (LoopCloser* closer : {&at_once, &bit_by_bit}) {
+    closer->add_joints(std::vector<ComparedPlaces>{joint});
+    EXPECT_EQ(num_across(*closer), 1) << "the joint";
+  }
+  bit_by_bit.extend(track_, second + 5, truth_, 1);
+  EXPECT_EQ(num_across(bit_by_bit), 1);
+  for (LoopCloser* closer : {&at_once, &bit_by_bit}) {
+    closer->extend(track_, track_.size(), truth_, 1);
+    EXPECT_GT(num_across(*closer), 4);
+  }
 }
 
 TEST(LoopCloser, FindsNothingOnATrackTooShortForAStation) {

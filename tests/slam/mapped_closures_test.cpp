@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 
+#include "setsquare/matching/match_information.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
@@ -84,16 +85,21 @@ ComparedPlaces places(std::size_t from, std::size_t to, const ClosureVerdict& ve
   compared.from = from;
   compared.to = to;
   compared.T_from_to = {1.0 - 0.1 * static_cast<double>(from), 0.2, 0.1};
+  compared.information = Eigen::Vector3d(100.0, 80.0, 500.0).asDiagonal();
   compared.verdict = verdict;
   return compared;
 }
 
 TEST(MappedClosures, TellThePosesOfTheBaseAndTheFinalWeights) {
   MountedTrack mounted(8);
-  const std::vector<ComparedPlaces> compared = {
+  std::vector<ComparedPlaces> compared = {
       places(0, 6, {ClosureReason::kStandsAlone, ClosureAxes::kXY}),
       places(1, 6, {ClosureReason::kAmbiguous, ClosureAxes::kXY}),
       places(2, 7, {ClosureReason::kOneAxis, ClosureAxes::kY})};
+  // Open along the map's x.
+  const double heading_rad = mounted.graph.T_map_node[2].theta_rad;
+  compared[2].information = without_direction(compared[2].information,
+                                              {std::cos(heading_rad), -std::sin(heading_rad), 0.0});
   for (const std::size_t k : {0U, 2U}) {
     Constraint constraint = closure_constraint(compared[k]);
     constraint.weight = k == 0 ? 0.75 : 0.25;
@@ -115,6 +121,23 @@ TEST(MappedClosures, TellThePosesOfTheBaseAndTheFinalWeights) {
     EXPECT_EQ(closures[k].closure.reason, to_string(compared[k].verdict.reason));
     EXPECT_THAT(scan_i.T_base_sensor.inverse() * closures[k].closure.T_i_j * scan_j.T_base_sensor,
                 PoseNear(compared[k].T_from_to, PoseTolerance{}));
+  }
+}
+
+TEST(MappedClosures, NameTheAxisOfTheFinalMap) {
+  // Judged in a map that has turned since.
+  MountedTrack mounted(4);
+  for (const double open_rad : {0.0, 0.5 * kPi, kPi, -0.5 * kPi, 0.3, 1.3}) {
+    ComparedPlaces compared = places(1, 3, {ClosureReason::kOneAxis, ClosureAxes::kX});
+    const double in_sensor_rad = open_rad - mounted.graph.T_map_node[1].theta_rad;
+    compared.information = without_direction(
+        compared.information, {std::cos(in_sensor_rad), std::sin(in_sensor_rad), 0.0});
+    PoseGraph graph = mounted.graph;
+    graph.constraints.push_back(closure_constraint(compared));
+    const auto closures = mapped_closures(mounted.track, {{compared}}, graph);
+    const bool is_open_along_x = std::abs(std::cos(open_rad)) > 0.8;
+    EXPECT_EQ(closures.at(0).closure.axes, is_open_along_x ? ClosureAxes::kY : ClosureAxes::kX)
+        << open_rad;
   }
 }
 

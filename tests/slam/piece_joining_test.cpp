@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "setsquare/core/error.hpp"
 #include "tests/slam/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
@@ -161,12 +163,42 @@ TEST(PieceJoining, AnyNumberOfThreadsFindsTheSame) {
   }
 }
 
+TEST(PieceJoining, AsksForNoMorePlacesThanAllowed) {
+  const PiecedTrack pieced =
+      lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+               {testing::l_shaped_room(), across_the_room(), {}, {30.0, 0.0, 1.0}}});
+  for (std::size_t max_num_queries = 1; max_num_queries <= 6; ++max_num_queries) {
+    const JoinedPieces joined = join_pieces(pieced.track,
+                                            pieced.T_map_sensor,
+                                            {},
+                                            {.max_num_queries = max_num_queries, .min_agreeing = 1},
+                                            1);
+    std::set<std::size_t> sought;
+    for (const ComparedPlaces& joint : joined.joints) sought.insert(joint.to);
+    EXPECT_FALSE(sought.empty());
+    EXPECT_LE(sought.size(), max_num_queries);
+  }
+}
+
+TEST(PieceJoining, APieceOfFewPlacesStaysApart) {
+  // A place stands every third keyframe: the ten of the second piece have no more than four.
+  std::vector<Pose2> short_way = across_the_room();
+  short_way.resize(10);
+  const PiecedTrack pieced = lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+                                      {testing::l_shaped_room(), short_way, {}, {30.0, 0.0, 1.0}}});
+  const auto is_joined = [&](std::size_t min_agreeing) -> bool {
+    const PieceJoiningParams params{.min_agreeing = min_agreeing};
+    return join_pieces(pieced.track, pieced.T_map_sensor, {}, params, 1).is_joined[1];
+  };
+  EXPECT_TRUE(is_joined(3));
+  EXPECT_FALSE(is_joined(5));
+}
+
 TEST(PieceJoining, NoTrackNoPieces) { EXPECT_TRUE(join({}).is_joined.empty()); }
 
 TEST(PieceJoining, RefusesParametersThatAreNone) {
-  EXPECT_THROW(PieceJoiningParams{.max_num_queries = 0}.validate(), ParameterError);
-  EXPECT_THROW(PieceJoiningParams{.window_m = 0.0}.validate(), ParameterError);
-  EXPECT_THROW(PieceJoiningParams{.min_agreeing = 0}.validate(), ParameterError);
+  const PieceJoiningParams no_queries{.max_num_queries = 0};
+  EXPECT_THROW(static_cast<void>(join_pieces({}, {}, {}, no_queries, 1)), ParameterError);
 }
 
 }  // namespace

@@ -159,9 +159,8 @@ TEST_F(RegistrationInRoom, AnotherStretchBesideARevisitedPlaceIsNotCompared) {
   anchor.T_from_to = between(graph.T_map_node[n + 5], graph.T_map_node[n + 6]);
   graph.constraints.push_back(anchor);
   register_keyframes(track, {&closure, 1}, graph, {}, 1);
-  EXPECT_NEAR((graph.T_map_node[n + 6].translation() - truth[n + 6].translation()).norm(),
-              0.03,
-              0.005);
+  EXPECT_NEAR(
+      (graph.T_map_node[n + 6].translation() - truth[n + 6].translation()).norm(), 0.03, 0.005);
 }
 
 TEST(Registration, RefusesParametersThatAreNone) {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -18,6 +19,8 @@ namespace {
 using testing::drive;
 using testing::scans_on_drive;
 using testing::Wall;
+
+constexpr double kStepSigma_m = 0.01;
 
 /// Two rooms, 30 m apart, and a corridor between them that shows nothing along its middle: the
 /// scanner sees 8 m far.
@@ -100,6 +103,72 @@ TEST(TrackCertainty, OfPiecesThatAreNotJoinedNothingIsKnown) {
   EXPECT_TRUE(std::isfinite(sigmas_m[middle - 1]));
   EXPECT_TRUE(std::isinf(sigmas_m[middle]));
   EXPECT_TRUE(std::isinf(sigmas_m.back()));
+}
+
+/// A graph whose answer is known: every step along x is as certain as the next one, headings are
+/// exact, and each step to the next piece is off by `gap_sigma_m`. Each keyframe has two scans.
+MappedTrack chain_of_pieces(const std::vector<TrackPiece>& pieces, double gap_sigma_m) {
+  MappedTrack track;
+  track.pieces = pieces;
+  for (const TrackPiece& piece : pieces) {
+    for (std::size_t scan = piece.first_scan; scan < piece.first_scan + piece.num_scans;
+         scan += 2) {
+      const std::size_t node = track.keyframes.size();
+      track.keyframes.push_back(scan);
+      track.graph.T_map_node.push_back({static_cast<double>(node), 0.0, 0.0});
+      if (node == 0) continue;
+      const double sigma_m = scan == piece.first_scan ? gap_sigma_m : kStepSigma_m;
+      Constraint step{.from = node - 1, .to = node, .T_from_to = {1.0, 0.0, 0.0}};
+      step.information.topLeftCorner<2, 2>() /= sigma_m * sigma_m;
+      step.information(2, 2) = 1e14;
+      track.graph.constraints.push_back(step);
+    }
+  }
+  track.scans.resize(pieces.back().first_scan + pieces.back().num_scans);
+  return track;
+}
+
+TEST(TrackCertainty, BoundsTheNumberOfNodesAndReachesTheLastOne) {
+  for (const std::size_t num_nodes : {2U, 3U, 48U, 49U, 95U, 96U, 300U}) {
+    const MappedTrack track = chain_of_pieces({{0, 2 * num_nodes, true}}, 0.0);
+    for (const std::size_t max_num_nodes : {2U, 7U, 48U}) {
+      const std::vector<double> sigmas_m = position_sigmas_m(track, max_num_nodes);
+      // The sigmas, a root along the chain, bend where a node was asked.
+      std::size_t num_asked = 2;
+      for (std::size_t k = 1; k + 1 < num_nodes; ++k) {
+        const double bend_m = sigmas_m[2 * k + 2] - 2.0 * sigmas_m[2 * k] + sigmas_m[2 * k - 2];
+        num_asked += bend_m < -1e-9;
+      }
+      EXPECT_EQ(num_asked, std::min(num_nodes, max_num_nodes)) << num_nodes;
+      const double last_m = kStepSigma_m * std::sqrt(static_cast<double>(num_nodes - 1));
+      EXPECT_NEAR(sigmas_m.front(), 0.0, 1e-9);
+      EXPECT_NEAR(sigmas_m.back(), last_m, 1e-3 * last_m) << num_nodes;
+    }
+  }
+}
+
+TEST(TrackCertainty, BetweenPiecesItJumps) {
+  constexpr double kGapSigma_m = 2.0;
+  const MappedTrack track =
+      chain_of_pieces({{0, 150, true}, {150, 40, true}, {190, 2, true}}, kGapSigma_m);
+  for (const std::size_t max_num_nodes : {2U, 6U, 48U, 1000U}) {
+    const std::vector<double> sigmas_m = position_sigmas_m(track, max_num_nodes);
+    EXPECT_NEAR(sigmas_m[149], kStepSigma_m * std::sqrt(74.0), 1e-4);
+    EXPECT_NEAR(sigmas_m[150], std::hypot(sigmas_m[149], kGapSigma_m), 1e-3);
+    EXPECT_NEAR(sigmas_m[189], std::hypot(sigmas_m[150], kStepSigma_m * std::sqrt(19.0)), 1e-3);
+    EXPECT_NEAR(sigmas_m[190], std::hypot(sigmas_m[189], kGapSigma_m), 1e-3);
+    EXPECT_EQ(sigmas_m[190], sigmas_m[191]);
+  }
+}
+
+TEST(TrackCertainty, CountsFromTheFirstKeyframeThatIsJoined) {
+  const MappedTrack track =
+      chain_of_pieces({{0, 20, false}, {20, 200, true}, {220, 10, false}}, 200.0);
+  const std::vector<double> sigmas_m = position_sigmas_m(track);
+  EXPECT_TRUE(std::isinf(sigmas_m[19]));
+  EXPECT_NEAR(sigmas_m[20], 0.0, 1e-9);
+  EXPECT_NEAR(sigmas_m[219], kStepSigma_m * std::sqrt(99.0), 1e-4);
+  EXPECT_TRUE(std::isinf(sigmas_m[220]));
 }
 
 TEST(TrackCertainty, NoGraphNoCertainty) {
