@@ -42,23 +42,24 @@ class Comparison {
              const SubmapMatchParams& params)
       : reference_(reference), current_(current), expected_(expected), params_(params) {}
 
-  /// Steps with these samples; the fit is that of the fine ones.
-  [[nodiscard]] SubmapFitBothWays refine(const Pose2& start,
+  /// Steps on from a fit of the same samples at the same scale.
+  [[nodiscard]] SubmapFitBothWays refine(SubmapFitBothWays fit,
                                          const AlignmentScale& scale,
                                          int num_steps,
                                          Samples samples) {
-    Pose2 T = start;
     for (int step = 0; step < num_steps; ++step) {
-      const Eigen::Vector3d move = step_from(compare(T, scale, samples));
-      T = {T.x_m + move.x(), T.y_m + move.y(), wrap_to_pi(T.theta_rad + move.z())};
+      const Eigen::Vector3d move = step_from(fit);
+      const Pose2& T = fit.T_reference_current;
+      fit = compare(
+          {T.x_m + move.x(), T.y_m + move.y(), wrap_to_pi(T.theta_rad + move.z())}, scale, samples);
       if (move.norm() < kConverged) break;
     }
-    return compare(T, scale);
+    return fit;
   }
 
   [[nodiscard]] SubmapFitBothWays compare(const Pose2& T,
                                           const AlignmentScale& scale,
-                                          Samples samples = &Submap::fine) {
+                                          Samples samples) {
     const SubmapAlignment forward =
         align_with_submap(reference_.images, current_.*samples, T, scale, marks_);
     const SubmapAlignment backward =
@@ -107,6 +108,7 @@ class Comparison {
   PointMarks marks_;
 };
 
+/// Where refinement may begin: the expected pose and the best proposals.
 std::vector<Pose2> propose(const Submap& reference,
                            const Submap& current,
                            const ExpectedPose& expected,
@@ -129,15 +131,45 @@ std::vector<Pose2> propose(const Submap& reference,
   return starts;
 }
 
-/// Whether one of the starts is worth the pains of refining: views of other things hardly agree
-/// anywhere.
-bool has_promise(const std::vector<Pose2>& starts,
-                 Comparison& comparison,
-                 const SubmapMatchParams& params) {
-  return std::any_of(starts.begin(), starts.end(), [&](const Pose2& start) {
-    return comparison.compare(start, params.catching, &Submap::rough).score >=
-           params.min_start_score;
+/// Leaves those that neither score nor agree within `max_lag` of what the best does.
+void drop_laggards(double max_lag, std::vector<SubmapFitBothWays>& fits) {
+  double best_score = -1.0;
+  double best_agreement = -1.0;
+  for (const SubmapFitBothWays& fit : fits) {
+    best_score = std::max(best_score, fit.score);
+    best_agreement = std::max(best_agreement, fit.agreement);
+  }
+  std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
+    return fit.score < best_score - max_lag && fit.agreement < best_agreement - max_lag;
   });
+}
+
+/// The starts caught by their surroundings, the best by score first; nothing where none of them is
+/// worth the pains: views of other things hardly agree anywhere.
+std::vector<SubmapFitBothWays> caught(const std::vector<Pose2>& starts,
+                                      Comparison& comparison,
+                                      const SubmapMatchParams& params) {
+  std::vector<SubmapFitBothWays> fits;
+  bool is_promising = false;
+  for (const Pose2& start : starts) {
+    fits.push_back(comparison.compare(start, params.catching, &Submap::rough));
+    is_promising = is_promising || fits.back().score >= params.min_start_score;
+  }
+  if (!is_promising) return {};
+  const auto step_on = [&](int num_steps) {
+    for (SubmapFitBothWays& fit : fits) {
+      fit = comparison.refine(fit, params.catching, num_steps, &Submap::rough);
+    }
+  };
+  step_on(1);
+  drop_laggards(params.max_lag, fits);
+  step_on(params.num_catching_steps - 1);
+  std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
+    return !comparison.is_in_window(fit.T_reference_current);
+  });
+  std::stable_sort(
+      fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+  return fits;
 }
 
 /// The best that stays within the window while it settles. `fits`: best first.
@@ -146,7 +178,10 @@ std::optional<SubmapFitBothWays> settle_best(const std::vector<SubmapFitBothWays
                                              const SubmapMatchParams& params) {
   for (const SubmapFitBothWays& fit : fits) {
     const auto settled = comparison.refine(
-        fit.T_reference_current, params.settling, params.num_settling_steps, &Submap::fine);
+        comparison.compare(fit.T_reference_current, params.settling, &Submap::fine),
+        params.settling,
+        params.num_settling_steps,
+        &Submap::fine);
     if (comparison.is_in_window(settled.T_reference_current)) return settled;
   }
   return std::nullopt;
@@ -161,6 +196,7 @@ double distance_m(const SubmapFitBothWays& a, const SubmapFitBothWays& b) {
 void SubmapMatchParams::validate() const {
   require_at_least_one(max_num_proposals, "match.max_num_proposals");
   require_finite(min_start_score, "match.min_start_score");
+  require_positive(max_lag, "match.max_lag");
   catching.validate("match.catching");
   settling.validate("match.settling");
   require_at_least_one(num_catching_steps, "match.num_catching_steps");
@@ -176,17 +212,8 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
                                          const ExpectedPose& expected,
                                          const SubmapMatchParams& params) {
   Comparison comparison(reference, current, expected, params);
-  std::vector<SubmapFitBothWays> fits;
-  const std::vector<Pose2> starts = propose(reference, current, expected, comparison, params);
-  if (!has_promise(starts, comparison, params)) return std::nullopt;
-  for (const Pose2& start : starts) {
-    const auto fit =
-        comparison.refine(start, params.catching, params.num_catching_steps, &Submap::rough);
-    if (comparison.is_in_window(fit.T_reference_current)) fits.push_back(fit);
-  }
-  std::stable_sort(
-      fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
-
+  std::vector<SubmapFitBothWays> fits =
+      caught(propose(reference, current, expected, comparison, params), comparison, params);
   const auto settled = settle_best(fits, comparison, params);
   if (!settled) return std::nullopt;
 

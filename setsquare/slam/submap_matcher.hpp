@@ -18,6 +18,7 @@ struct SubmapMatchParams {
   int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
   std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
   double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
+  double max_lag = 0.4;  ///< After one step, in score and in agreement: who lags more is dropped.
   AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
   AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
   int num_catching_steps = 4;
