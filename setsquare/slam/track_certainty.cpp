@@ -25,16 +25,17 @@ double largest_sigma_m(const Eigen::Matrix2d& covariance) {
   return std::sqrt(std::max(0.0, solver.eigenvalues().y()));
 }
 
-/// A piece that was joined: its scans, and its keyframes, of which it has one at least.
-struct JoinedPiece {
+/// A piece: its scans, and its keyframes, of which it has one at least.
+struct PieceNodes {
   std::size_t first_scan = 0;
   std::size_t end_scan = 0;
   std::size_t first_node = 0;
   std::size_t num_nodes = 0;
+  bool is_joined = false;
 };
 
-std::vector<JoinedPiece> joined_pieces(const MappedTrack& track) {
-  std::vector<JoinedPiece> joined;
+std::vector<PieceNodes> nodes_of_pieces(const MappedTrack& track) {
+  std::vector<PieceNodes> pieces;
   const auto node_at = [&](std::size_t scan) {
     const auto at = std::lower_bound(track.keyframes.begin(), track.keyframes.end(), scan);
     return static_cast<std::size_t>(at - track.keyframes.begin());
@@ -43,14 +44,14 @@ std::vector<JoinedPiece> joined_pieces(const MappedTrack& track) {
     const std::size_t end_scan = piece.first_scan + piece.num_scans;
     const std::size_t first_node = node_at(piece.first_scan);
     const std::size_t num_nodes = node_at(end_scan) - first_node;
-    if (!piece.is_joined || num_nodes == 0) continue;
-    joined.push_back({piece.first_scan, end_scan, first_node, num_nodes});
+    if (num_nodes == 0) continue;
+    pieces.push_back({piece.first_scan, end_scan, first_node, num_nodes, piece.is_joined});
   }
-  return joined;
+  return pieces;
 }
 
 /// So many nodes of a piece, evenly from its first to its last; all where it has fewer.
-std::vector<std::size_t> spread_nodes(const JoinedPiece& piece, std::size_t num) {
+std::vector<std::size_t> spread_nodes(const PieceNodes& piece, std::size_t num) {
   std::vector<std::size_t> nodes;
   const std::size_t num_spread = std::min(piece.num_nodes, std::max<std::size_t>(2, num));
   for (std::size_t k = 0; k < num_spread; ++k) {
@@ -63,7 +64,7 @@ std::vector<std::size_t> spread_nodes(const JoinedPiece& piece, std::size_t num)
 /// Sigmas of a piece's scans from those at some of its nodes: straight lines between, constant
 /// before the first and behind the last.
 void interpolate(const MappedTrack& track,
-                 const JoinedPiece& piece,
+                 const PieceNodes& piece,
                  const std::vector<std::size_t>& nodes,
                  const std::vector<double>& of_node_m,
                  std::vector<double>& of_scan_m) {
@@ -98,19 +99,20 @@ OpenStretch stretch_from(const MappedTrack& track, std::size_t first, std::size_
   return stretch;
 }
 
-/// Along the stretch's direction, between the keyframes before and behind it.
+/// Along the stretch's direction, between the keyframes of its piece before and behind it.
 double length_sigma_m(const MappedTrack& track,
+                      const PieceNodes& piece,
                       const MarginalCovariance& marginals,
                       const OpenStretch& stretch) {
-  const std::size_t from = keyframe_before(track, stretch.first_scan);
   const std::size_t last_scan = stretch.first_scan + stretch.num_scans - 1;
+  const std::size_t last_node = piece.first_node + piece.num_nodes - 1;
+  const std::size_t from =
+      std::clamp(keyframe_before(track, stretch.first_scan), piece.first_node, last_node);
   const std::size_t to =
-      std::min(keyframe_before(track, last_scan) + 1, track.keyframes.size() - 1);
+      std::clamp(keyframe_before(track, last_scan) + 1, piece.first_node, last_node);
   if (from == to) return 0.0;
-  const double angle_rad = stretch.direction_rad - track.graph.T_map_node[from].theta_rad;
-  const Eigen::Vector2d along(std::cos(angle_rad), std::sin(angle_rad));
-  const Eigen::Matrix2d covariance = marginals.between(from, to).topLeftCorner<2, 2>();
-  return std::sqrt(std::max(0.0, along.dot(covariance * along)));
+  const Eigen::Vector2d along(std::cos(stretch.direction_rad), std::sin(stretch.direction_rad));
+  return std::sqrt(std::max(0.0, along.dot(marginals.of_way(from, to) * along)));
 }
 
 }  // namespace
@@ -118,12 +120,13 @@ double length_sigma_m(const MappedTrack& track,
 std::vector<double> position_sigmas_m(const MappedTrack& track, std::size_t max_num_nodes) {
   if (track.graph.T_map_node.empty()) return {};
   std::vector<double> of_scan_m(track.scans.size(), std::numeric_limits<double>::infinity());
-  const std::vector<JoinedPiece> joined = joined_pieces(track);
+  std::vector<PieceNodes> joined = nodes_of_pieces(track);
+  std::erase_if(joined, [](const PieceNodes& piece) { return !piece.is_joined; });
   std::size_t num_joined_nodes = 0;
-  for (const JoinedPiece& piece : joined) num_joined_nodes += piece.num_nodes;
+  for (const PieceNodes& piece : joined) num_joined_nodes += piece.num_nodes;
   max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
   const MarginalCovariance marginals(track.graph);
-  for (const JoinedPiece& piece : joined) {
+  for (const PieceNodes& piece : joined) {
     const std::vector<std::size_t> nodes =
         spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes);
     std::vector<double> of_node_m;
@@ -149,8 +152,13 @@ std::vector<OpenStretch> open_stretches(const MappedTrack& track, double min_way
   }
   if (stretches.empty() || track.graph.T_map_node.empty()) return stretches;
   const MarginalCovariance marginals(track.graph);
+  const std::vector<PieceNodes> pieces = nodes_of_pieces(track);
   for (OpenStretch& stretch : stretches) {
-    stretch.length_sigma_m = length_sigma_m(track, marginals, stretch);
+    const auto of_stretch = std::find_if(pieces.begin(), pieces.end(), [&](const auto& piece) {
+      return stretch.first_scan < piece.end_scan;
+    });
+    if (of_stretch == pieces.end()) continue;
+    stretch.length_sigma_m = length_sigma_m(track, *of_stretch, marginals, stretch);
   }
   return stretches;
 }

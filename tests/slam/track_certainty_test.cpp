@@ -171,6 +171,20 @@ TEST(TrackCertainty, CountsFromTheFirstKeyframeThatIsJoined) {
   EXPECT_TRUE(std::isinf(sigmas_m[220]));
 }
 
+TEST(TrackCertainty, AStretchEndsWithItsPiece) {
+  MappedTrack track = chain_of_pieces({{0, 100, true}, {100, 60, true}}, 200.0);
+  for (std::size_t scan = 0; scan < track.scans.size(); ++scan) {
+    track.scans[scan].T_map_base = {0.5 * static_cast<double>(scan), 0.0, 0.0};
+    // To the end of the first piece, and in the middle of the second.
+    const bool is_open = (scan >= 60 && scan < 100) || (scan >= 120 && scan < 140);
+    track.scans[scan].status = is_open ? TrackStatus::kDegenerate : TrackStatus::kTracked;
+  }
+  const std::vector<OpenStretch> stretches = open_stretches(track);
+  ASSERT_EQ(stretches.size(), 2U);
+  EXPECT_NEAR(stretches[0].length_sigma_m, kStepSigma_m * std::sqrt(19.0), 1e-4);
+  EXPECT_NEAR(stretches[1].length_sigma_m, kStepSigma_m * std::sqrt(10.0), 1e-4);
+}
+
 TEST(TrackCertainty, NoGraphNoCertainty) {
   EXPECT_TRUE(position_sigmas_m({}).empty());
   EXPECT_TRUE(open_stretches({}).empty());
