@@ -14,6 +14,40 @@ target_compile_options(
             -fno-math-errno -fno-trapping-math
             $<$<BOOL:${SETSQUARE_WARNINGS_AS_ERRORS}>:-Werror>)
 
+# setsquare_precompile_headers(TARGET [FROM])
+# Under SETSQUARE_PRECOMPILE_HEADERS gives a target the precompiled headers of another one or, where
+# none is named, its own: standard library and Eigen, and GoogleTest where the target links it.
+function(setsquare_precompile_headers target)
+  if(NOT SETSQUARE_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  if(ARGC GREATER 1)
+    target_precompile_headers(${target} REUSE_FROM ${ARGV1})
+    return()
+  endif()
+  get_target_property(libraries ${target} LINK_LIBRARIES)
+  target_precompile_headers(
+    ${target}
+    PRIVATE
+    <Eigen/Cholesky>
+    <Eigen/Eigenvalues>
+    <Eigen/LU>
+    <algorithm>
+    <chrono>
+    <cmath>
+    <filesystem>
+    <fstream>
+    <functional>
+    <map>
+    <optional>
+    <random>
+    <span>
+    <sstream>
+    <string>
+    <vector>
+    "$<$<IN_LIST:GTest::gmock,${libraries}>:<gmock/gmock.h$<ANGLE-R>>")
+endfunction()
+
 # setsquare_add_layer(NAME SOURCES a.cpp ... DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 # One library a layer, target setsquare::NAME. DEPENDS names the layers that it may include.
 function(setsquare_add_layer name)
@@ -30,6 +64,11 @@ function(setsquare_add_layer name)
     setsquare_${name}
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
+  if(name STREQUAL core)
+    setsquare_precompile_headers(setsquare_core)
+  else()
+    setsquare_precompile_headers(setsquare_${name} setsquare_core)
+  endif()
   set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
 endfunction()
 
@@ -41,5 +80,6 @@ function(setsquare_add_test name)
   list(TRANSFORM arg_LAYERS PREPEND setsquare::)
   target_link_libraries(${name}_test PRIVATE ${arg_LAYERS} ${arg_LIBRARIES} setsquare_own_flags
                                              setsquare_test_support GTest::gmock_main)
+  setsquare_precompile_headers(${name}_test setsquare_test_support)
   gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
 endfunction()

@@ -22,16 +22,13 @@ constexpr double kTrackedMotionWeight = 0.05;
 /// Of the rotation between two pieces that were joined, as matches of scans tell it.
 constexpr double kJointSigma_rad = rad_from_deg(3.0);
 
-/// What the walls said of the headings, as measurements in the map frame. Neighbours err alike: so
-/// many of them count as one.
-std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings,
-                                                     double num_alike) {
+/// What the walls said of the headings, as measurements in the map frame.
+std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
   std::vector<HeadingMeasurement> measurements;
   for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
     if (!(headings.measured_information[k] > 0.0)) continue;
-    measurements.push_back({k,
-                            wrap_to_pi(headings.measured_heading_rad[k]),
-                            headings.measured_information[k] / num_alike});
+    measurements.push_back(
+        {k, wrap_to_pi(headings.measured_heading_rad[k]), headings.measured_information[k]});
   }
   return measurements;
 }
@@ -165,10 +162,15 @@ MappedTrack Mapper::finish() const {
     close_loops(headings_rad, track_.size(), closer);
   }
   PoseGraph graph = graph_along(headings_rad, closer);
-  graph.headings = heading_measurements(mapped.headings, params_.heading.num_alike);
+  graph.headings = heading_measurements(mapped.headings);
   if (track_.size() > 1) {
     solve_robustly(graph, {}, params_.robust);
     register_all(closer, graph);
+  }
+  // Neighbours err alike: so many measurements tell no more than one. Registration takes each for
+  // its own, which serves the poses; what is certain is told by this graph.
+  for (HeadingMeasurement& heading : graph.headings) {
+    heading.information_per_rad2 /= params_.heading.num_alike;
   }
   return assemble(std::move(mapped), closer, graph, joined);
 }
