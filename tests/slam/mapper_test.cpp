@@ -83,6 +83,15 @@ TEST_F(MapperInRoom, FinishingDoesNotDisturbWhatFollows) {
   EXPECT_EQ(interrupted.finish().scans.back().T_map_base, mapper_.finish().scans.back().T_map_base);
 }
 
+TEST_F(MapperInRoom, TheGraphCountsHeadingsThatErrAlikeOnce) {
+  const MappedTrack track = mapper_.finish();
+  ASSERT_FALSE(track.graph.headings.empty());
+  for (const HeadingMeasurement& heading : track.graph.headings) {
+    EXPECT_DOUBLE_EQ(heading.information_per_rad2 * MapperParams{}.heading.num_alike,
+                     track.headings.measured_information[heading.node]);
+  }
+}
+
 TEST(Mapper, NoScansNoTrack) {
   const MappedTrack track = Mapper().finish();
   EXPECT_TRUE(track.scans.empty());
