@@ -15,8 +15,8 @@ namespace setsquare {
 /// Parameters of register_keyframes.
 struct RegistrationParams {
   int num_rounds = 2;
-  std::size_t num_before = 4;     ///< Keyframes just before it that each is compared with.
-  std::size_t max_revisits = 6;   ///< And so many of earlier visits, by accepted closures.
+  std::size_t num_before = 4;    ///< Keyframes just before it that each is compared with.
+  std::size_t max_revisits = 6;  ///< And so many of earlier visits, by accepted closures.
   AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
   double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
   double max_contradicted = 0.15;  ///< Of the points compared.
