@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "apps/setsquare/log_options.hpp"
 #include "apps/setsquare/map_outputs.hpp"
@@ -64,7 +65,7 @@ void tell_doubts(const MapRun& run) {
   std::cout << line;
 }
 
-void tell(const MapOptions& options, const MapRun& run, double total_s) {
+void tell(const MapRun& run, double total_s) {
   const std::size_t num_scans = run.track.scans.size();
   const ClosureCounts closures = count_closures(run.track);
   char line[300];
@@ -88,9 +89,25 @@ void tell(const MapOptions& options, const MapRun& run, double total_s) {
                 "mapped and written in %.2f s (%.0f us a scan)\n",
                 total_s,
                 1e6 * total_s / static_cast<double>(num_scans));
-  std::cout << line << "written: " << options.output_path
-            << "/report.html, map.png, map.pgm + map.yaml, trajectory.tum, graph.g2o, "
-               "closures.tsv, run.json, timing.json\n";
+  std::cout << line;
+}
+
+void tell_files(const std::string& folder, const std::vector<std::string>& names) {
+  std::cout << "written: " << folder << "/";
+  for (const std::string& name : names) std::cout << (&name == &names.front() ? "" : ", ") << name;
+  std::cout << "\n";
+}
+
+/// A map of nothing would replace the last one. Throws FileError.
+void require_something_mapped(const MapOptions& options, const MappedTrack& track) {
+  const bool is_all_lost =
+      std::all_of(track.scans.begin(), track.scans.end(), [](const MappedScan& scan) {
+        return scan.status == TrackStatus::kLost;
+      });
+  if (track.scans.empty() || !is_all_lost) return;
+  throw FileError(options.log_path,
+                  "none of its " + std::to_string(track.scans.size()) +
+                      " scans could be mapped: too few returns within range");
 }
 
 void map_log(MapOptions options) {
@@ -103,8 +120,10 @@ void map_log(MapOptions options) {
   const auto reader = open_log(options.log_path, log_options);
   OutputSet outputs(options.output_path, map_output_names());
   const MapRun run = run_map(*reader, options, clock);
+  require_something_mapped(options, run.track);
   write_map_outputs(outputs, options, run, clock);
-  tell(options, run, seconds_of(clock));
+  tell(run, seconds_of(clock));
+  tell_files(options.output_path, outputs.added());
   tell_problems(options.log_path, run.problems);
 }
 

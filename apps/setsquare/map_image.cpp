@@ -26,30 +26,29 @@ TrackCondition condition_from(TrackStatus status) {
   return TrackCondition::kTracked;
 }
 
-/// Whether it is known where a scan lies, one a scan.
-std::vector<bool> scans_joined(const MappedTrack& track) {
-  std::vector<bool> is_joined(track.scans.size(), true);
-  for (const TrackPiece& piece : track.pieces) {
-    if (piece.is_joined) continue;
-    const auto first = is_joined.begin() + static_cast<std::ptrdiff_t>(piece.first_scan);
-    std::fill(first, first + static_cast<std::ptrdiff_t>(piece.num_scans), false);
-  }
-  return is_joined;
-}
-
 std::vector<PlacedScan> placed_scans(const MapRun& run) {
   std::vector<PlacedScan> placed;
   placed.reserve(run.picture_scans.size());
-  const std::vector<bool> is_joined = scans_joined(run.track);
+  const std::vector<bool> is_placed = scans_placed(run.track);
   for (const PictureScan& kept : run.picture_scans) {
     const MappedScan& mapped = run.track.scans[kept.index];
-    if (mapped.status == TrackStatus::kLost || !is_joined[kept.index]) continue;
+    if (mapped.status == TrackStatus::kLost || !is_placed[kept.index]) continue;
     placed.push_back({&kept.scan, mapped.T_map_sensor});
   }
   return placed;
 }
 
 }  // namespace
+
+std::vector<bool> scans_placed(const MappedTrack& track) {
+  std::vector<bool> is_placed(track.scans.size(), true);
+  for (const TrackPiece& piece : track.pieces) {
+    if (piece.is_joined) continue;
+    const auto first = is_placed.begin() + static_cast<std::ptrdiff_t>(piece.first_scan);
+    std::fill(first, first + static_cast<std::ptrdiff_t>(piece.num_scans), false);
+  }
+  return is_placed;
+}
 
 OccupancyGrid map_grid(const MapRun& run, int num_threads) {
   return grid_from_scans(placed_scans(run), 0.0, {.num_threads = num_threads});
@@ -70,10 +69,10 @@ std::vector<LoopClosure> closures_of(const MappedTrack& track) {
 Image map_image(const MapRun& run, const OccupancyGrid& grid) {
   std::vector<TrackCondition> conditions;
   conditions.reserve(run.track.scans.size());
-  const std::vector<bool> is_joined = scans_joined(run.track);
-  for (std::size_t i = 0; i < is_joined.size(); ++i) {
-    conditions.push_back(is_joined[i] ? condition_from(run.track.scans[i].status)
-                                      : TrackCondition::kLost);
+  const std::vector<bool> is_placed = scans_placed(run.track);
+  for (std::size_t i = 0; i < is_placed.size(); ++i) {
+    conditions.push_back(is_placed[i] ? condition_from(run.track.scans[i].status)
+                                      : TrackCondition::kNotPlaced);
   }
   const std::vector<LoopClosure> closures = closures_of(run.track);
   const Trajectory trajectory = trajectory_from(run.track, false);

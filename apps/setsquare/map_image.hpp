@@ -19,6 +19,10 @@ namespace setsquare::app {
 /// The same along the building's walls, where the map's axes are others (the paper's preset).
 [[nodiscard]] OccupancyGrid upright_map_grid(const MapRun& run, int num_threads = 1);
 
+/// Whether somebody knows where in the map each scan lies: not those of pieces that were not
+/// joined.
+[[nodiscard]] std::vector<bool> scans_placed(const MappedTrack& track);
+
 /// The closures of a track, accepted and refused.
 [[nodiscard]] std::vector<LoopClosure> closures_of(const MappedTrack& track);
 

@@ -12,6 +12,7 @@
 #include "setsquare/io/trajectory_tum.hpp"
 
 namespace setsquare::app {
+
 std::vector<std::string> map_output_names() {
   return {"trajectory.tum",
           "map.pgm",

@@ -9,6 +9,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "apps/setsquare/map_image.hpp"
 #include "apps/setsquare/map_report.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
@@ -39,13 +40,15 @@ std::string text_from(double value, int num_decimals) {
 
 std::vector<ReportPose> poses_of(const MappedTrack& track) {
   const std::vector<double> sigmas_m = position_sigmas_m(track);
+  const std::vector<bool> is_placed = scans_placed(track);
   std::vector<ReportPose> poses;
   poses.reserve(track.scans.size());
   for (std::size_t i = 0; i < track.scans.size(); ++i) {
     const MappedScan& scan = track.scans[i];
-    poses.push_back({.stamp = scan.stamp,
-                     .T_map_base = scan.T_map_base,
-                     .condition = condition_from(scan.status)});
+    poses.push_back(
+        {.stamp = scan.stamp,
+         .T_map_base = scan.T_map_base,
+         .condition = is_placed[i] ? condition_from(scan.status) : ReportCondition::kNotPlaced});
     if (!sigmas_m.empty()) poses.back().sigma_m = sigmas_m[i];
   }
   return poses;

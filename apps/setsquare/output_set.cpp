@@ -81,6 +81,7 @@ void OutputSet::lock() {
 void OutputSet::add(const std::string& name, std::string_view bytes) {
   assert(std::ranges::find(names_, name) != names_.end());
   save_file((path_ / kNew / name).string(), bytes);
+  added_.push_back(name);
 }
 
 void OutputSet::commit() {

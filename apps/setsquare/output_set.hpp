@@ -45,6 +45,9 @@ class OutputSet {
   /// The files added replace all of the last set. Throws FileError.
   void commit();
 
+  /// Names of the files added, in their order.
+  [[nodiscard]] const std::vector<std::string>& added() const { return added_; }
+
  private:
   void lock();
   void finish_commit();
@@ -52,6 +55,7 @@ class OutputSet {
   OutputDirectory directory_;
   std::filesystem::path path_;
   std::vector<std::string> names_;
+  std::vector<std::string> added_;
   int lock_ = -1;  ///< A descriptor of the directory, locked.
 };
 

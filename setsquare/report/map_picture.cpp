@@ -37,18 +37,26 @@ bool has_condition(Conditions conditions, std::size_t pose, TrackCondition condi
   return (conditions.empty() ? TrackCondition::kTracked : conditions[pose]) == condition;
 }
 
+const PixelPoint kGap = PixelPoint::Constant(std::nan(""));
+
+/// Poses that are not placed become gaps, of the path and of closures.
+void leave_out_unplaced(std::vector<Eigen::Vector2d>& path_cells, Conditions conditions) {
+  for (std::size_t i = 0; i < path_cells.size(); ++i) {
+    if (has_condition(conditions, i, TrackCondition::kNotPlaced)) path_cells[i] = kGap;
+  }
+}
+
 /// The path in its colours; a stretch has the colour of the pose that it leads to.
 void draw_path(Image& image,
                const MapLayout& layout,
                std::span<const Eigen::Vector2d> path_cells,
                Conditions conditions) {
-  const PixelPoint gap = PixelPoint::Constant(std::nan(""));
   for (const ConditionStyle& style : kConditionStyles) {
     std::vector<PixelPoint> line;
     for (std::size_t i = 1; i < path_cells.size(); ++i) {
       if (!has_condition(conditions, i, style.condition)) continue;
       if (i == 1 || !has_condition(conditions, i - 1, style.condition)) {
-        line.push_back(gap);
+        line.push_back(kGap);
         line.push_back(layout.pixel_of(path_cells[i - 1]));
       }
       line.push_back(layout.pixel_of(path_cells[i]));
@@ -100,7 +108,8 @@ Image layered_map_picture(const OccupancyGrid& grid,
                           const MapPictureParams& params) {
   params.validate();
   assert(layers.conditions.empty() || layers.conditions.size() == layers.T_map_base.size());
-  const std::vector<Eigen::Vector2d> path = path_in_cells(grid, layers.T_map_base);
+  std::vector<Eigen::Vector2d> path = path_in_cells(grid, layers.T_map_base);
+  leave_out_unplaced(path, layers.conditions);
   const PlacedClosures closures = placed_closures(layers.closures, layers.T_map_base, path);
   MapLayout layout =
       map_layout(box_to_show(grid, path, params.margin_m), params.min_side_px, params.max_side_px);
@@ -118,10 +127,18 @@ Image layered_map_picture(const OccupancyGrid& grid,
   draw_cells(image, layout.left_px, 0, grid, layout.box, layout.scale);
   draw_closures(image, layout, closures);
   draw_path(image, layout, path, layers.conditions);
-  if (!path.empty()) {
-    draw_mark(image, layout.pixel_of(path.front()), kStartRadius * letter_px, palette::kStart);
-    draw_mark(image, layout.pixel_of(path.back()), kEndRadius * letter_px, palette::kEnd);
+  const auto is_placed = [](const Eigen::Vector2d& place) { return place.allFinite(); };
+  const auto first = std::find_if(path.begin(), path.end(), is_placed);
+  const auto last = std::find_if(path.rbegin(), path.rend(), is_placed);
+  if (first != path.end()) {
+    draw_mark(image, layout.pixel_of(*first), kStartRadius * letter_px, palette::kStart);
+    draw_mark(image, layout.pixel_of(*last), kEndRadius * letter_px, palette::kEnd);
   }
+  // What lies beyond the map ends at its edge.
+  fill_rectangle(image,
+                 PixelPoint(0, layout.map_height_px),
+                 PixelPoint(layout.width_px, layout.height_px),
+                 palette::kPaper);
   const double footer_px = 0.5 * (layout.map_height_px + layout.height_px);
   if (params.has_scale_bar) {
     const double pixels_per_m = layout.scale.pixels_per_cell() / grid.resolution_m();

@@ -16,6 +16,7 @@ enum class TrackCondition {
   kTracked,
   kDegenerate,  ///< The scans did not determine the motion along one direction.
   kLost,        ///< No match: the pose is carried on by the odometry or the last motion.
+  kNotPlaced,   ///< Nobody knows where in the map: not drawn.
 };
 
 struct MapPictureParams {

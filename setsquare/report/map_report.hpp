@@ -22,6 +22,7 @@ enum class ReportCondition {
   kDegenerate,  ///< The scans did not determine the motion along one direction.
   kRecovered,   ///< Found again by the guess-free matcher after a gap or a fast turn.
   kLost,        ///< No match: the pose is carried on by the odometry or the last motion.
+  kNotPlaced,   ///< Of a piece of track that nobody can place in the map: not drawn.
 };
 
 struct ReportPose {

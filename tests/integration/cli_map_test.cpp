@@ -64,6 +64,35 @@ TEST(CommandMap, WritesEveryScansPoseInFileOrderAPictureAndTheRun) {
   EXPECT_THAT(content_of(out / "run.json"), HasSubstr("\"lost\": 0"));
 }
 
+TEST(CommandMap, WhereNoScanCanBeMappedTheLastMapStays) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", room_log());
+  const std::string command = "map " + log + " -o '" + (folder.path() / "out").string() + "'";
+  ASSERT_EQ(run_setsquare(command).exit_code, 0);
+  const std::string picture = content_of(folder.path() / "out" / "map.png");
+  const CommandOutcome outcome = run_setsquare(command + " --max-range 0.1");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("none of its 30 scans could be mapped"));
+  EXPECT_EQ(content_of(folder.path() / "out" / "map.png"), picture);
+}
+
+TEST(CommandMap, TellsTheFilesThatItWrote) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", room_log());
+  for (const std::string preset : {"default", "paper"}) {
+    const auto out = folder.path() / preset;
+    const CommandOutcome outcome =
+        run_setsquare("map " + log + " -o '" + out.string() + "' --preset " + preset);
+    ASSERT_EQ(outcome.exit_code, 0);
+    const std::string told = outcome.out.substr(outcome.out.find("written: "));
+    for (const auto& entry : std::filesystem::directory_iterator(out)) {
+      EXPECT_THAT(told, HasSubstr(entry.path().filename().string()));
+    }
+    EXPECT_EQ(told.find("report.html") != std::string::npos,
+              std::filesystem::exists(out / "report.html"));
+  }
+}
+
 TEST(CommandMap, SameLogSameBytes) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", room_log());

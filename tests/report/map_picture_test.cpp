@@ -122,6 +122,54 @@ TEST(MapPicture, EachConditionHasItsColour) {
   EXPECT_EQ(count(plain, palette::kLost), 0);
 }
 
+TEST(MapPicture, WhatIsNotPlacedIsNotDrawn) {
+  const std::vector<std::string> hall(60, std::string(60, '.'));
+  const OccupancyGrid grid = grid_from_plan(hall);
+  Trajectory path;
+  std::vector<TrackCondition> conditions;
+  for (int i = 0; i < 40; ++i) {
+    path.push_back({Timestamp{i}, {10.0 + i, 20.0, 0.0}});
+    conditions.push_back(TrackCondition::kTracked);
+  }
+  MapPictureParams params = kBare;
+  params.has_legend = true;
+  const Image before = layered_map_picture(
+      grid, {.T_map_base = path, .conditions = conditions, .closures = {}}, params);
+  // Lines all over the map and far beyond it, first, last and between.
+  for (const std::size_t at : {0U, 17U, 41U}) {
+    for (const double x_m : {-200.0, 50.0, 200.0}) {
+      const auto place = static_cast<std::ptrdiff_t>(at);
+      path.insert(path.begin() + place, {Timestamp{}, {x_m, -150.0, 0.0}});
+      conditions.insert(conditions.begin() + place, TrackCondition::kNotPlaced);
+    }
+  }
+  const Image after = layered_map_picture(
+      grid, {.T_map_base = path, .conditions = conditions, .closures = {}}, params);
+  ASSERT_EQ(after.pixels().size(), before.pixels().size());
+  std::size_t num_different = 0;
+  for (std::size_t i = 0; i < before.pixels().size(); ++i) {
+    num_different += before.pixels()[i] != after.pixels()[i];
+  }
+  EXPECT_LT(num_different, 25U) << "the path has a gap where nothing is placed, and no more";
+}
+
+TEST(MapPicture, ThePathDoesNotCrossTheLegend) {
+  const OccupancyGrid grid = grid_from_plan(std::vector<std::string>(60, std::string(60, '.')));
+  MapPictureParams params = kBare;
+  params.has_legend = true;
+  const Trajectory within = {{Timestamp{0}, {30.0, 30.0, 0.0}}, {Timestamp{1}, {30.0, 20.0, 0.0}}};
+  Trajectory beyond = within;
+  beyond.insert(beyond.begin() + 1, {Timestamp{2}, {30.0, -500.0, 0.0}});
+  const Image image = map_picture(grid, within, {}, params);
+  const Image other = map_picture(grid, beyond, {}, params);
+  ASSERT_EQ(other.height_px(), image.height_px());
+  for (int row = 60; row < image.height_px(); ++row) {
+    for (int column = 0; column < image.width_px(); ++column) {
+      ASSERT_EQ(other.at(column, row), image.at(column, row)) << column << ", " << row;
+    }
+  }
+}
+
 TEST(MapPicture, ScaleBarHasARoundLength) {
   OccupancyGrid grid({}, 0.05, 1000, 600);
   std::fill(grid.values().begin(), grid.values().end(), -2.0F);

@@ -2,10 +2,21 @@
 // SPDX-License-Identifier: Apache-2.0
 // The run in one sentence, its tables and the words of the page.
 
-function pathLength({ x, y }) {
+/** Of what is placed in the map. */
+function pathLength({ x, y, condition }) {
   let metres = 0;
-  for (let k = 1; k < x.length; ++k) metres += Math.hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+  for (let k = 1; k < x.length; ++k) {
+    if (condition[k] === kNotPlaced || condition[k - 1] === kNotPlaced) continue;
+    metres += Math.hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
+  }
   return metres;
+}
+
+/** What the map leaves out, a sentence; empty where it leaves nothing out. */
+function leftOutText({ condition }) {
+  const numLeftOut = condition.filter((code) => code === kNotPlaced).length;
+  return numLeftOut === 0 ? "" :
+    " " + counted(numLeftOut, "scan", "scans") + " could not be placed in the map, which leaves them out.";
 }
 
 function summaryText({ poses, closures }, times) {
@@ -25,7 +36,8 @@ function summaryText({ poses, closures }, times) {
   }
   return counted(poses.t.length, "scan", "scans") + " in " + duration(times[1] - times[0]) + ", " +
     inMetres(pathLength(poses), 0) + " travelled. " + found + " " +
-    (troubles.length ? "The track is " + troubles.join(" and ") + "." : "The track was never lost.");
+    (troubles.length ? "The track is " + troubles.join(" and ") + "." : "The track was never lost.") +
+    leftOutText(poses);
 }
 
 function makeFigures(figures) {

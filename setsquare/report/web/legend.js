@@ -54,6 +54,10 @@ class MapLegend {
       const length = inMetres(metres, 1) + " in " + counted(count, "stretch", "stretches");
       legend.append(entry(bandSwatch(color, dash), term(kConditions[code]), element("span", "count", length)));
     }
+    const numNotPlaced = poses.condition.filter((code) => code === kNotPlaced).length;
+    if (numNotPlaced > 0) {
+      legend.append(entry(term("not placed"), element("span", "count", counted(numNotPlaced, "scan", "scans"))));
+    }
     const recovered = lengthIn(poses, 2).count;
     if (recovered > 0) {
       const ring = drawnSwatch('<circle cx="13" cy="8" r="5.5" fill="none" stroke="var(--recovered)" stroke-width="2"/>');

@@ -18,6 +18,11 @@ class TrackDrawing {
     this.tones = { time: this.tonesOf((k) => this.timeShare(k)), confidence: this.tonesOf((k) => this.sigmaShare(k)) };
   }
 
+  /** Whether somebody knows where in the map the pose lies. */
+  isPlaced(k) {
+    return this.poses.condition[k] !== kNotPlaced;
+  }
+
   timeShare(k) {
     return (this.poses.t[k] - this.times[0]) / Math.max(this.times[1] - this.times[0], 1e-9);
   }
@@ -84,6 +89,11 @@ class TrackDrawing {
     let from = 0;
     let tone = -1;  // Of the stretch before, where the line goes on from it.
     for (let k = 1; k < this.count; ++k) {
+      if (!this.isPlaced(k) || !this.isPlaced(from)) {
+        from = k;
+        tone = -1;
+        continue;
+      }
       const isNear = Math.abs(columns[k] - columns[from]) + Math.abs(rows[k] - rows[from]) < 1;
       if (isNear && k + 1 < this.count) continue;
       if (isBeyond(columns[from], columns[k], width) || isBeyond(rows[from], rows[k], height)) {
@@ -114,9 +124,10 @@ class TrackDrawing {
   }
 
   drawEnds(context, columns, rows) {
-    const marks = [["start", 0, 6.5], ["end", this.count - 1, 4.5]];
+    const placed = Array.from({ length: this.count }, (_, k) => k).filter((k) => this.isPlaced(k));
+    if (placed.length === 0) return;
+    const marks = [["start", placed[0], 6.5], ["end", placed[placed.length - 1], 4.5]];
     for (const [name, k, radius] of marks) {
-      if (k < 0 || this.count === 0) continue;
       for (const [color, size] of [["casing", radius + 2], [name, radius]]) {
         context.fillStyle = themeColor(color);
         context.beginPath();
@@ -131,6 +142,7 @@ class TrackDrawing {
     let best = -1;
     let squared = reach * reach;
     for (let k = 0; k < this.count; ++k) {
+      if (!this.isPlaced(k)) continue;
       const a = view.column(this.poses.u[k]) - column;
       const b = view.row(this.poses.v[k]) - row;
       if (a * a + b * b >= squared) continue;

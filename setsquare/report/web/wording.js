@@ -44,7 +44,8 @@ function stampText(start, seconds) {
   return Number(wholes) + carried + "." + String(ms - 1000 * carried).padStart(3, "0");
 }
 
-const kConditions = ["tracked", "degenerate", "recovered", "lost"];
+const kConditions = ["tracked", "degenerate", "recovered", "lost", "not placed"];
+const kNotPlaced = 4;
 
 const kWords = {
   "loop closure": "A place visited twice: the scan of the later visit was matched to that of the earlier one. It ties the two visits together and takes out the error that has built up between them.",
@@ -56,6 +57,7 @@ const kWords = {
   residual: "How far the closure's own pose is from where the finished map has the two scans: small where all measurements agree.",
   degenerate: "The scans did not fix the motion along one direction, as in a bare corridor. The heading is right, the length of the stretch is uncertain.",
   lost: "No scan matched: the pose is only carried on from the motion before.",
+  "not placed": "Tracked, but as a piece of its own: where tracking began anew nothing tells where in the map the robot was. The map leaves these scans out.",
   recovered: "Found again by matching without any guess, after a gap or a fast turn.",
   confidence: "The standard deviation of the position along its least certain direction: two times out of three the position is better than that.",
   heading: "The direction in which the robot looks, in the map: 0" + kDegree + " along x, counter-clockwise.",
