@@ -55,7 +55,11 @@ TrackedPose ScanTracker::place(const Scan& scan,
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   TrackStatus status = TrackStatus::kTracked;
-  if (is_anywhere || fit.alignment.score() < params_.recovery.below_score) {
+  // In a bare corridor the walls fit; where they leave a direction open and do not, the place is
+  // wrong.
+  const double least_score =
+      is_weak(fit) ? params_.recovery.below_score_if_weak : params_.recovery.below_score;
+  if (is_anywhere || fit.alignment.score() < least_score) {
     const auto expected = is_anywhere ? std::nullopt : std::optional(fit);
     const auto found =
         recover(problem, submap_, scan, expected, params_.recovery, params_.refinement);
@@ -75,12 +79,15 @@ TrackedPose ScanTracker::place(const Scan& scan,
   if (fit.weak.effective_points < params_.corridor.below_effective_points) {
     fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
   }
-  const bool is_weak = fit.weak.effective_points < params_.refinement.min_effective_points;
-  if (is_weak && status == TrackStatus::kTracked) status = TrackStatus::kDegenerate;
+  if (is_weak(fit) && status == TrackStatus::kTracked) status = TrackStatus::kDegenerate;
   return {.status = status,
           .T_odom_sensor = fit.T_odom_sensor,
           .score = fit.alignment.score(),
           .weak = fit.weak};
+}
+
+bool ScanTracker::is_weak(const SubmapFit& fit) const {
+  return fit.weak.effective_points < params_.refinement.min_effective_points;
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.

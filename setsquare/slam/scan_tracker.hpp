@@ -59,6 +59,8 @@ class ScanTracker {
                     const Pose2& predicted,
                     bool has_odometry,
                     bool is_anywhere);
+  /// Whether a direction is open.
+  [[nodiscard]] bool is_weak(const SubmapFit& fit) const;
   void start_anew();
   void keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked);
 
