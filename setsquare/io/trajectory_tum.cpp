@@ -12,6 +12,9 @@
 namespace setsquare {
 namespace {
 
+/// A quaternion of another length is none: relations have as many numbers in a line, too.
+constexpr double kLengthTolerance = 0.01;
+
 /// The angle about z of a rotation (ZYX convention).
 double heading_from_quaternion(double qx, double qy, double qz, double qw) {
   return wrap_to_pi(std::atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)));
@@ -45,11 +48,14 @@ void write_trajectory_tum(const std::string& path, const Trajectory& trajectory)
 Trajectory read_trajectory_tum(std::unique_ptr<ByteSource> source, const std::string& name) {
   Trajectory trajectory;
   for_each_row<1, 7>(
-      std::move(source),
-      name,
-      "\"stamp x y z qx qy qz qw\"",
-      [&trajectory](const TableRow<1, 7>& row) {
+      std::move(source), name, "\"stamp x y z qx qy qz qw\"", [&](const TableRow<1, 7>& row) {
         const auto& [x_m, y_m, z_m, qx, qy, qz, qw] = row.values;
+        const double length = std::hypot(std::hypot(qx, qy), std::hypot(qz, qw));
+        if (std::abs(length - 1.0) > kLengthTolerance) {
+          throw FormatError(name,
+                            "stamp " + to_string(row.stamps[0]),
+                            "qx qy qz qw are no rotation: their length is not 1");
+        }
         trajectory.push_back({row.stamps[0], {x_m, y_m, heading_from_quaternion(qx, qy, qz, qw)}});
       });
   return trajectory;

@@ -62,6 +62,20 @@ TEST(TrajectoryTum, ADamagedLineIsNamed) {
   }
 }
 
+TEST(TrajectoryTum, RelationsAreNoTrajectory) {
+  // As many numbers in a line: two stamps, x y z, roll pitch yaw.
+  const std::string relation = "976052890.24 976052891.73 0.42 0.02 0 0 0 -0.05\n";
+  try {
+    static_cast<void>(read_trajectory_tum(make_memory_source("1 2 3 0 0 0 0 1\n" + relation), "x"));
+    FAIL() << "relations were taken for a trajectory";
+  } catch (const FormatError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("stamp 976052890.24"));
+    EXPECT_THAT(error.what(), HasSubstr("no rotation"));
+  }
+  const std::string rounded = "1 2 3 0 0 0 0.707 0.707\n";
+  EXPECT_THAT(read_trajectory_tum(make_memory_source(rounded), "x"), SizeIs(1));
+}
+
 TEST(TrajectoryTum, NothingIsLeftWhereItCannotBeWritten) {
   EXPECT_THROW(write_trajectory_tum("/no/such/folder/t.tum", {}), FileError);
 }
