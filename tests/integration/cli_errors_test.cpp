@@ -72,7 +72,7 @@ TEST(CommandErrors, GroundTruthThatIsNone) {
   expect_one_line_error("evaluate relations " + trajectory + " " + relations,
                         "x.relations, line 2: expected");
   expect_one_line_error("evaluate relations " + relations + " " + relations,
-                        "x.relations, line 2: expected");
+                        "x.relations, stamp 1.000000: qx qy qz qw are no rotation");
   expect_one_line_error("evaluate relations " + trajectory + " " + others,
                         "no relation has both its stamps in");
 }
