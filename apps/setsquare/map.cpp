@@ -99,14 +99,11 @@ void tell_files(const std::string& folder, const std::vector<std::string>& names
 }
 
 /// A map of nothing would replace the last one. Throws FileError.
-void require_something_mapped(const MapOptions& options, const MappedTrack& track) {
-  const bool is_all_lost =
-      std::all_of(track.scans.begin(), track.scans.end(), [](const MappedScan& scan) {
-        return scan.status == TrackStatus::kLost;
-      });
-  if (track.scans.empty() || !is_all_lost) return;
+void require_something_mapped(const MapOptions& options, const MapRun& run) {
+  const std::size_t num_scans = run.track.scans.size();
+  if (num_scans == 0 || num_scans_of(run, TrackStatus::kLost) < num_scans) return;
   throw FileError(options.log_path,
-                  "none of its " + std::to_string(track.scans.size()) +
+                  "none of its " + std::to_string(num_scans) +
                       " scans could be mapped: too few returns within range");
 }
 
@@ -120,7 +117,7 @@ void map_log(MapOptions options) {
   const auto reader = open_log(options.log_path, log_options);
   OutputSet outputs(options.output_path, map_output_names());
   const MapRun run = run_map(*reader, options, clock);
-  require_something_mapped(options, run.track);
+  require_something_mapped(options, run);
   write_map_outputs(outputs, options, run, clock);
   tell(run, seconds_of(clock));
   tell_files(options.output_path, outputs.added());

@@ -16,6 +16,13 @@ using testing::between;
 using testing::PoseNear;
 using testing::PoseTolerance;
 
+/// Two visits, one like the other.
+std::vector<Pose2> twice(const std::vector<Pose2>& visit) {
+  std::vector<Pose2> both = visit;
+  both.insert(both.end(), visit.begin(), visit.end());
+  return both;
+}
+
 /// Keyframes of a drive, off from where they truly are; the first, which fixes the frame, is not.
 class RegistrationInRoom : public ::testing::Test {
  protected:
@@ -92,8 +99,7 @@ TEST_F(RegistrationInRoom, NoRoundsNoChange) {
 TEST_F(RegistrationInRoom, RevisitedPlacesTieTwoVisitsToEachOther) {
   // Two visits of the room; the second as a whole 3 cm off, and no track between them.
   const std::size_t n = truth_.size();
-  std::vector<Pose2> truth = truth_;
-  truth.insert(truth.end(), truth_.begin(), truth_.end());
+  const std::vector<Pose2> truth = twice(truth_);
   KeyframeTrack track = testing::track_in_world(testing::l_shaped_room(), truth, 0.0);
   for (std::size_t k = n; k < 2 * n; ++k) track.stretches[k] = 1;
   PoseGraph graph;
@@ -116,10 +122,9 @@ TEST_F(RegistrationInRoom, RevisitedPlacesTieTwoVisitsToEachOther) {
 }
 
 TEST_F(RegistrationInRoom, AClosureThatNoComparisonReplacesStands) {
-  // Two visits again, the second 1 m off: too far for any comparison.
+  // Two visits again, the second 20 m off: too far for any comparison.
   const std::size_t n = truth_.size();
-  std::vector<Pose2> truth = truth_;
-  truth.insert(truth.end(), truth_.begin(), truth_.end());
+  const std::vector<Pose2> truth = twice(truth_);
   KeyframeTrack track = testing::track_in_world(testing::l_shaped_room(), truth, 0.0);
   for (std::size_t k = n; k < 2 * n; ++k) track.stretches[k] = 1;
   PoseGraph graph;
@@ -141,8 +146,7 @@ TEST_F(RegistrationInRoom, AClosureThatNoComparisonReplacesStands) {
 TEST_F(RegistrationInRoom, AnotherStretchBesideARevisitedPlaceIsNotCompared) {
   // The second visit ends with its keyframe n + 5; what follows is of a stretch that nothing joins.
   const std::size_t n = truth_.size();
-  std::vector<Pose2> truth = truth_;
-  truth.insert(truth.end(), truth_.begin(), truth_.end());
+  const std::vector<Pose2> truth = twice(truth_);
   KeyframeTrack track = testing::track_in_world(testing::l_shaped_room(), truth, 0.0);
   for (std::size_t k = n; k < 2 * n; ++k) track.stretches[k] = k <= n + 5 ? 1 : 2;
   PoseGraph graph;

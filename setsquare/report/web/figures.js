@@ -13,10 +13,9 @@ function pathLength({ x, y, condition }) {
 }
 
 /** What the map leaves out, a sentence; empty where it leaves nothing out. */
-function leftOutText({ condition }) {
-  const numLeftOut = condition.filter((code) => code === kNotPlaced).length;
-  return numLeftOut === 0 ? "" :
-    " " + counted(numLeftOut, "scan", "scans") + " could not be placed in the map, which leaves them out.";
+function leftOutText(poses) {
+  return numNotPlaced(poses) === 0 ? "" :
+    " " + counted(numNotPlaced(poses), "scan", "scans") + " could not be placed in the map, which leaves them out.";
 }
 
 function summaryText({ poses, closures }, times) {

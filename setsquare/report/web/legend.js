@@ -54,9 +54,8 @@ class MapLegend {
       const length = inMetres(metres, 1) + " in " + counted(count, "stretch", "stretches");
       legend.append(entry(bandSwatch(color, dash), term(kConditions[code]), element("span", "count", length)));
     }
-    const numNotPlaced = poses.condition.filter((code) => code === kNotPlaced).length;
-    if (numNotPlaced > 0) {
-      legend.append(entry(term("not placed"), element("span", "count", counted(numNotPlaced, "scan", "scans"))));
+    if (numNotPlaced(poses) > 0) {
+      legend.append(entry(term("not placed"), element("span", "count", counted(numNotPlaced(poses), "scan", "scans"))));
     }
     const recovered = lengthIn(poses, 2).count;
     if (recovered > 0) {

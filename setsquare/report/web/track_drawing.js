@@ -6,6 +6,9 @@ class TrackDrawing {
   constructor(poses) {
     this.poses = poses;
     this.count = poses.t.length;
+    const isPlaced = (code) => code !== kNotPlaced;
+    this.firstPlaced = poses.condition.findIndex(isPlaced);
+    this.lastPlaced = poses.condition.findLastIndex(isPlaced);
     const times = poses.t;
     this.times = [0, 0];
     if (this.count) this.times = [times.reduce((a, b) => Math.min(a, b)), times.reduce((a, b) => Math.max(a, b))];
@@ -124,10 +127,9 @@ class TrackDrawing {
   }
 
   drawEnds(context, columns, rows) {
-    const placed = Array.from({ length: this.count }, (_, k) => k).filter((k) => this.isPlaced(k));
-    if (placed.length === 0) return;
-    const marks = [["start", placed[0], 6.5], ["end", placed[placed.length - 1], 4.5]];
+    const marks = [["start", this.firstPlaced, 6.5], ["end", this.lastPlaced, 4.5]];
     for (const [name, k, radius] of marks) {
+      if (k < 0) continue;
       for (const [color, size] of [["casing", radius + 2], [name, radius]]) {
         context.fillStyle = themeColor(color);
         context.beginPath();

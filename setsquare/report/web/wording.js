@@ -47,6 +47,9 @@ function stampText(start, seconds) {
 const kConditions = ["tracked", "degenerate", "recovered", "lost", "not placed"];
 const kNotPlaced = 4;
 
+/** How many poses nobody can place in the map. */
+const numNotPlaced = (poses) => poses.condition.filter((code) => code === kNotPlaced).length;
+
 const kWords = {
   "loop closure": "A place visited twice: the scan of the later visit was matched to that of the earlier one. It ties the two visits together and takes out the error that has built up between them.",
   accepted: "The match was verified, so the closure pulls at the map.",
