@@ -62,7 +62,8 @@ class TrackDrawing {
       rows[k] = view.row(this.poses.v[k]);
     }
     const width = Math.min(3.2, Math.max(1.3, 0.05 * view.scale));
-    context.lineJoin = context.lineCap = width > 2 ? "round" : "butt";
+    context.lineJoin = "round";  // a mitre would shoot out where the track jitters on the spot
+    context.lineCap = width > 2 ? "round" : "butt";
     const { condition } = this.poses;
     context.globalAlpha = 0.6;
     for (const [code, name] of [[1, "degenerate"], [3, "lost"]]) {
