@@ -48,11 +48,21 @@ function(setsquare_precompile_headers target)
     "$<$<IN_LIST:GTest::gmock,${libraries}>:<gmock/gmock.h$<ANGLE-R>>")
 endfunction()
 
-# setsquare_add_layer(NAME SOURCES a.cpp ... DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
-# One library a layer, target setsquare::NAME. DEPENDS names the layers that it may include.
+# setsquare_set_unity(TARGET)
+# Under SETSQUARE_UNITY_BUILD compiles a target's sources a dozen at a time: a quarter of the time.
+function(setsquare_set_unity target)
+  set_target_properties(${target} PROPERTIES UNITY_BUILD ${SETSQUARE_UNITY_BUILD}
+                                             UNITY_BUILD_BATCH_SIZE 12)
+endfunction()
+
+# setsquare_add_layer(NAME [SOURCES a.cpp ...] DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# One library a layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
+# which are made by the build. DEPENDS names the layers that it may include.
 function(setsquare_add_layer name)
   cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
-  add_library(setsquare_${name} STATIC ${arg_SOURCES})
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
+       "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
+  add_library(setsquare_${name} STATIC ${sources} ${arg_SOURCES})
   add_library(setsquare::${name} ALIAS setsquare_${name})
   set_target_properties(setsquare_${name} PROPERTIES EXPORT_NAME ${name})
   target_include_directories(
@@ -64,6 +74,7 @@ function(setsquare_add_layer name)
     setsquare_${name}
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
+  setsquare_set_unity(setsquare_${name})
   if(name STREQUAL core)
     setsquare_precompile_headers(setsquare_core)
   else()
@@ -72,10 +83,14 @@ function(setsquare_add_layer name)
   set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
 endfunction()
 
-# setsquare_add_test(NAME SOURCES a_test.cpp ... LAYERS matching ...)
-# One test program a layer: it links only its own layer and those below.
+# setsquare_add_test(NAME [SOURCES a_test.cpp ...] LAYERS matching ... [LIBRARIES ...])
+# One test program a layer: it links only its own layer and those below. Without SOURCES, all those
+# of the folder NAME.
 function(setsquare_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LAYERS;LIBRARIES" ${ARGN})
+  if(NOT arg_SOURCES)
+    file(GLOB arg_SOURCES CONFIGURE_DEPENDS "${name}/*.cpp" "${name}/*.hpp")
+  endif()
   add_executable(${name}_test ${arg_SOURCES})
   list(TRANSFORM arg_LAYERS PREPEND setsquare::)
   target_link_libraries(${name}_test PRIVATE ${arg_LAYERS} ${arg_LIBRARIES} setsquare_own_flags

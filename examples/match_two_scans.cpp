@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "setsquare/io/open_log.hpp"
+#include "setsquare/io/logs/open_log.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 
 int main(int argc, char** argv) {

@@ -6,7 +6,7 @@
 
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
-#include "setsquare/report/map_picture.hpp"
+#include "setsquare/report/map/picture.hpp"
 
 namespace setsquare::experiments {
 

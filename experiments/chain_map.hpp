@@ -6,7 +6,7 @@
 #include <string>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
 

@@ -13,7 +13,7 @@
 #include "experiments/scan_chain.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/drawing/image.hpp"
-#include "setsquare/sim/building.hpp"
+#include "setsquare/sim/building/building.hpp"
 
 namespace setsquare::experiments {
 

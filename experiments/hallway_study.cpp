@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "experiments/building_summary.hpp"
-#include "setsquare/matching/paper_matcher.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
 
 namespace setsquare::experiments {
 namespace {

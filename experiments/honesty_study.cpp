@@ -9,7 +9,7 @@
 #include "experiments/pair_record.hpp"
 #include "experiments/simulated_run.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/sim/pair_geometry.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
 
 namespace setsquare::experiments {
 namespace {

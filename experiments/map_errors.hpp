@@ -6,7 +6,7 @@
 #include <span>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/slam/mapped_track.hpp"
+#include "setsquare/mapping/mapped_track.hpp"
 
 namespace setsquare::experiments {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/mapper_chain.hpp"
 
-#include "setsquare/sim/odometry_model.hpp"
-#include "setsquare/slam/mapper.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/sim/sensing/odometry_model.hpp"
 
 namespace setsquare::experiments {
 

@@ -6,8 +6,8 @@
 #include <optional>
 #include <span>
 
-#include "setsquare/sim/simulated_scan.hpp"
-#include "setsquare/slam/mapped_track.hpp"
+#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
 

@@ -8,7 +8,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/matching/match_result.hpp"
+#include "setsquare/scan/match_result.hpp"
 
 namespace setsquare::experiments {
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/pair_record.hpp"
 
-#include "setsquare/matching/paper_matcher.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/sim/pair_geometry.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
 
 namespace setsquare::experiments {
 namespace {

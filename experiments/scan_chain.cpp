@@ -6,11 +6,11 @@
 #include <cmath>
 #include <Eigen/LU>
 
-#include "setsquare/graph/heading_fusion.hpp"
+#include "setsquare/headings/fusion.hpp"
+#include "setsquare/headings/proposals.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/paper_mapper.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/slam/heading_proposals.hpp"
-#include "setsquare/slam/mapper.hpp"
-#include "setsquare/slam/paper_mapper.hpp"
 
 namespace setsquare::experiments {
 namespace {

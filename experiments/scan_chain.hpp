@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/matching/match_result.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
-#include "setsquare/slam/mapped_track.hpp"
+#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/scan/match_result.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
 

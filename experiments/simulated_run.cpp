@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/simulated_run.hpp"
 
-#include "setsquare/sim/study_sampling.hpp"
+#include "setsquare/sim/pairs/study_sampling.hpp"
 
 namespace setsquare::experiments {
 

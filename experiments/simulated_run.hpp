@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/ray_casting.hpp"
-#include "setsquare/sim/robot_path.hpp"
-#include "setsquare/sim/scanner_model.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/sensing/ray_casting.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
+#include "setsquare/sim/sensing/scanner_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
 

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "setsquare/sim/building.hpp"
+#include "setsquare/sim/building/building.hpp"
 
 namespace setsquare::experiments {
 

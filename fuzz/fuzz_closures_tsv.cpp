@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/fuzz_target.hpp"
-#include "setsquare/io/closures_tsv.hpp"
+#include "setsquare/io/tables/closures_tsv.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace setsquare;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/fuzz_target.hpp"
-#include "setsquare/io/open_log.hpp"
+#include "setsquare/io/logs/open_log.hpp"
 
 // The way of a whole log: gzip or plain, format by content, choice of the laser.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

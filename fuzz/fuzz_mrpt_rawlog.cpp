@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/fuzz_target.hpp"
-#include "setsquare/io/mrpt_rawlog.hpp"
+#include "setsquare/io/logs/mrpt/rawlog.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace setsquare;

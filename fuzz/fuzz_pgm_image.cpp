@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "fuzz/fuzz_target.hpp"
-#include "setsquare/io/pgm_image.hpp"
+#include "setsquare/io/maps/pgm_image.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace setsquare;

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/log_survey.hpp"
-#include "setsquare/io/record_stream.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
+#include "setsquare/io/logs/record_stream.hpp"
 
 /// libFuzzer's entry point; replay.cpp calls it too.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);

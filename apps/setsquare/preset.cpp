@@ -6,8 +6,8 @@
 #include <CLI/Validators.hpp>
 #include <map>
 
-#include "setsquare/matching/paper_matcher.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
 
 namespace setsquare::app {
 

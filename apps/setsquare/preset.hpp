@@ -5,7 +5,7 @@
 #include <CLI/App.hpp>
 #include <string>
 
-#include "setsquare/matching/match_result.hpp"
+#include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/scan.hpp"
 
 namespace setsquare::app {

@@ -13,8 +13,8 @@
 
 #include "benchmarks/peers/comparison.hpp"
 #include "benchmarks/peers/mrpt_icp.hpp"
-#include "setsquare/matching/paper_matcher.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
 
 namespace {
 

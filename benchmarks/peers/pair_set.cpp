@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "benchmarks/peers/pair_set.hpp"
 
-#include "apps/setsquare/scans_at_stamps.hpp"
-#include "setsquare/io/relations.hpp"
+#include "apps/setsquare/scans/scans_at_stamps.hpp"
+#include "setsquare/io/tables/relations.hpp"
 
 namespace setsquare::peers {
 

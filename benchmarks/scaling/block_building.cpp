@@ -10,10 +10,10 @@
 
 #include "benchmarks/scaling/block_layout.hpp"
 #include "setsquare/core/angle.hpp"
-#include "setsquare/sim/building_furnishing.hpp"
-#include "setsquare/sim/building_openings.hpp"
-#include "setsquare/sim/building_visits.hpp"
-#include "setsquare/sim/building_wing.hpp"
+#include "setsquare/sim/building/furnishing.hpp"
+#include "setsquare/sim/building/openings.hpp"
+#include "setsquare/sim/building/visits.hpp"
+#include "setsquare/sim/building/wing.hpp"
 
 namespace setsquare {
 namespace {

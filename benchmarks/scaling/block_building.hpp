@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "setsquare/sim/building.hpp"
+#include "setsquare/sim/building/building.hpp"
 
 namespace setsquare {
 

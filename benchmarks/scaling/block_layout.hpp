@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "setsquare/sim/building_rooms.hpp"
-#include "setsquare/sim/building_sketch.hpp"
+#include "setsquare/sim/building/rooms.hpp"
+#include "setsquare/sim/building/sketch.hpp"
 #include "setsquare/sim/random.hpp"
 
 namespace setsquare {

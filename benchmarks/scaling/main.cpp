@@ -14,8 +14,8 @@
 #include "benchmarks/scaling/timed_mapper.hpp"
 #include "experiments/map_errors.hpp"
 #include "setsquare/core/angle.hpp"
-#include "setsquare/sim/odometry_model.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/sensing/odometry_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare {
 namespace {

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "setsquare/slam/mapper.hpp"
+#include "setsquare/mapping/mapper.hpp"
 
 namespace setsquare {
 

@@ -8,9 +8,9 @@
 #include <array>
 
 #include "benchmarks/stages/office_scan.hpp"
-#include "setsquare/matching/correlation_grid.hpp"
 #include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/correlation_grid.hpp"
 
 namespace setsquare::benchmarks {
 namespace {

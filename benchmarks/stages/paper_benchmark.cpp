@@ -6,9 +6,9 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/stages/office_scan.hpp"
-#include "setsquare/matching/paper_matcher.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
+#include "setsquare/paper/thinning.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
-#include "setsquare/scan/thinning.hpp"
 
 namespace setsquare::benchmarks {
 namespace {

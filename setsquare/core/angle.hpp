@@ -9,6 +9,7 @@ namespace setsquare {
 
 inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
+inline constexpr double kQuarterTurn = 0.5 * kPi;
 
 [[nodiscard]] constexpr double rad_from_deg(double angle_deg) { return angle_deg * (kPi / 180.0); }
 [[nodiscard]] constexpr double deg_from_rad(double angle_rad) { return angle_rad * (180.0 / kPi); }

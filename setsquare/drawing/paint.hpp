@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "setsquare/drawing/image.hpp"
-#include "setsquare/drawing/text_anchor.hpp"
+#include "setsquare/drawing/text.hpp"
 
 namespace setsquare {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "setsquare/drawing/color.hpp"
-#include "setsquare/drawing/text_anchor.hpp"
+#include "setsquare/drawing/text.hpp"
 
 namespace setsquare {
 

@@ -7,6 +7,8 @@
 #include <string_view>
 
 namespace setsquare {
+/// Which part of a line of text stands at its position.
+enum class TextAnchor { kStart, kMiddle, kEnd };
 
 /// The pieces one after the other.
 [[nodiscard]] std::string joined(std::initializer_list<std::string_view> pieces);

@@ -4,12 +4,23 @@
 
 #include <cassert>
 #include <cmath>
+#include <Eigen/Core>
 #include <vector>
-
-#include "setsquare/eval/rigid_alignment.hpp"
 
 namespace setsquare {
 namespace {
+
+/// Positions that vary by less than this, root mean square, are one place.
+constexpr double kStandstill_m = 1e-3;
+
+double mean_heading_difference(std::span<const PosePair> pairs) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (const PosePair& pair : pairs) {
+    const double difference_rad = pair.T_truth_base.theta_rad - pair.T_map_base.theta_rad;
+    sum += Eigen::Vector2d(std::cos(difference_rad), std::sin(difference_rad));
+  }
+  return std::atan2(sum.y(), sum.x());
+}
 
 Pose2 align(std::span<const PosePair> pairs, TrajectoryAlignment alignment) {
   switch (alignment) {
@@ -24,6 +35,32 @@ Pose2 align(std::span<const PosePair> pairs, TrajectoryAlignment alignment) {
 }
 
 }  // namespace
+
+Pose2 best_rigid_alignment(std::span<const PosePair> pairs) {
+  if (pairs.empty()) return {};
+  const auto num_pairs = static_cast<double>(pairs.size());
+  Eigen::Vector2d mean_map = Eigen::Vector2d::Zero();
+  Eigen::Vector2d mean_truth = Eigen::Vector2d::Zero();
+  for (const PosePair& pair : pairs) {
+    mean_map += pair.T_map_base.translation() / num_pairs;
+    mean_truth += pair.T_truth_base.translation() / num_pairs;
+  }
+  // In the plane the rotation of Umeyama 1991 is the angle of the complex correlation of the two
+  // sets of positions about their means.
+  double along = 0.0;
+  double across = 0.0;
+  for (const PosePair& pair : pairs) {
+    const Eigen::Vector2d map = pair.T_map_base.translation() - mean_map;
+    const Eigen::Vector2d truth = pair.T_truth_base.translation() - mean_truth;
+    along += map.dot(truth);
+    across += map.x() * truth.y() - map.y() * truth.x();
+  }
+  const bool is_standstill = std::hypot(along, across) < num_pairs * kStandstill_m * kStandstill_m;
+  const double rotation_rad =
+      is_standstill ? mean_heading_difference(pairs) : std::atan2(across, along);
+  const Eigen::Vector2d turned = Pose2{0.0, 0.0, rotation_rad} * mean_map;
+  return {mean_truth.x() - turned.x(), mean_truth.y() - turned.y(), wrap_to_pi(rotation_rad)};
+}
 
 AbsoluteTrajectoryError absolute_trajectory_error(std::span<const PosePair> pairs,
                                                   TrajectoryAlignment alignment) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "setsquare/eval/pose_index.hpp"
+#include "setsquare/eval/pose_pairs.hpp"
 
 namespace setsquare {
 namespace {

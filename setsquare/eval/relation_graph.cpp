@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/eval/pose_index.hpp"
+#include "setsquare/eval/pose_pairs.hpp"
 
 namespace setsquare {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "setsquare/matching/match_result.hpp"
+#include "setsquare/scan/match_result.hpp"
 
 namespace setsquare {
 

@@ -12,7 +12,6 @@ namespace setsquare {
 namespace {
 
 constexpr float kMaxDistance_m = 0.15F;
-constexpr float kMinNormalCosine = 0.7F;
 /// Samples lie on one line whose normals are so alike and that are so near to it; clutter is one
 /// thing where it is that near together.
 constexpr float kSameLineCosine = 0.97F;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "setsquare/matching/alignment.hpp"
+#include "setsquare/surfaces/alignment.hpp"
 
 namespace setsquare {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "setsquare/matching/surface_points.hpp"
+#include "setsquare/surfaces/surface_points.hpp"
 
 namespace setsquare {
 

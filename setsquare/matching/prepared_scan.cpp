@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/prepared_scan.hpp"
 
-#include "setsquare/matching/correlation_grid.hpp"
-#include "setsquare/matching/direction_balance.hpp"
+#include "setsquare/surfaces/angle_histogram.hpp"
+#include "setsquare/surfaces/correlation_grid.hpp"
 
 namespace setsquare {
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "setsquare/matching/alignment.hpp"
-#include "setsquare/matching/angle_histogram.hpp"
-#include "setsquare/matching/surface_image.hpp"
-#include "setsquare/matching/surface_points.hpp"
-#include "setsquare/matching/surface_samples.hpp"
-#include "setsquare/matching/sweep_normal.hpp"
+#include "setsquare/matching/sweep_refinement.hpp"
+#include "setsquare/surfaces/alignment.hpp"
+#include "setsquare/surfaces/angle_histogram.hpp"
+#include "setsquare/surfaces/surface_image.hpp"
+#include "setsquare/surfaces/surface_points.hpp"
+#include "setsquare/surfaces/surface_samples.hpp"
 
 namespace setsquare {
 

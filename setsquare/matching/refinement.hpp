@@ -5,7 +5,7 @@
 #include <array>
 #include <span>
 
-#include "setsquare/matching/alignment.hpp"
+#include "setsquare/surfaces/alignment.hpp"
 
 namespace setsquare {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "setsquare/matching/candidate_search.hpp"
-#include "setsquare/matching/match_answer.hpp"
+#include "setsquare/matching/answer.hpp"
+#include "setsquare/matching/candidates.hpp"
 
 namespace setsquare {
 namespace {

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/match_result.hpp"
-#include "setsquare/matching/match_trace.hpp"
 #include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/matching/trace.hpp"
+#include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/scan.hpp"
 
 namespace setsquare {

@@ -2,10 +2,53 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "setsquare/matching/match_information.hpp"
-#include "setsquare/matching/sweep_normal.hpp"
+#include <Eigen/Core>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/information.hpp"
+#include "setsquare/surfaces/surface_image.hpp"
+#include "setsquare/surfaces/surface_samples.hpp"
 
 namespace setsquare {
+/// How the robot turned while the sensor swept, in rad of heading per rad of bearing: unknown, and
+/// seen only where two scans are laid on each other. Half a radian a second under a sensor that
+/// sweeps 270 deg in 19 ms makes 0.002, under one that takes 0.1 s a turn 0.008.
+struct SweepTurns {
+  double reference = 0.0;
+  double current = 0.0;
+};
+
+/// A scan whose samples were measured one after the other.
+struct SweptScan {
+  const SurfaceImage& image;
+  const SurfaceSamples& samples;
+  const std::vector<float>& from_middle_rad;  ///< A sample each: its bearing from middle_rad.
+  double middle_rad = 0.0;  ///< Bearing of the sweep's middle, when the scan's pose is meant.
+};
+
+/// Bearings of the samples from the sweep's middle, in [-pi, pi).
+[[nodiscard]] std::vector<float> bearings_from(double middle_rad, const SurfaceSamples& samples);
+
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+using Matrix5 = Eigen::Matrix<double, 5, 5>;
+
+/// The normal equations of point-to-line distances in (x, y, theta) of T_reference_current and the
+/// two turns, weighted as in `Alignment`, and how far the distances pull them.
+struct SweepNormal {
+  Matrix5 hessian = Matrix5::Zero();
+  Vector5 gradient = Vector5::Zero();
+  /// Scatter of the gradient, summed over pieces of wall: within a piece distances are alike
+  /// (bumps, bias of a material), between pieces they are not.
+  Matrix5 scatter = Matrix5::Zero();
+};
+
+/// Compares both ways, every sample taken back to where it was at the sweep's middle.
+[[nodiscard]] SweepNormal sweep_normal(const SweptScan& reference,
+                                       const SweptScan& current,
+                                       const Pose2& T_reference_current,
+                                       const SweepTurns& turns,
+                                       double tolerance_m);
 
 /// A pose refined together with how the robot turned during either sweep.
 struct SweepRefinement {

@@ -8,6 +8,11 @@
 
 namespace setsquare {
 
+/// The z of the cross product: twice the area that the two span, positive where b is left of a.
+[[nodiscard]] inline double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// What a line of the plan is made of: how it reflects, and whether it belongs to the building.
 enum class Material : std::uint8_t {
   kWall,

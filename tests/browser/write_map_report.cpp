@@ -11,7 +11,7 @@
 
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
-#include "setsquare/report/map_report.hpp"
+#include "setsquare/report/map/page.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
 #include "tests/support/walled_world.hpp"
 

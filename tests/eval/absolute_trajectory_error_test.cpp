@@ -8,7 +8,6 @@
 #include <cmath>
 #include <vector>
 
-#include "setsquare/eval/rigid_alignment.hpp"
 #include "tests/eval/random_trajectory.hpp"
 #include "tests/support/pose_matchers.hpp"
 

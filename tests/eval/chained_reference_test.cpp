@@ -10,8 +10,7 @@
 #include <cmath>
 #include <vector>
 
-#include "setsquare/eval/chain_check.hpp"
-#include "setsquare/eval/closure_summary.hpp"
+#include "setsquare/eval/closure_judgement.hpp"
 #include "setsquare/eval/relation_error.hpp"
 #include "tests/eval/random_trajectory.hpp"
 #include "tests/support/pose_matchers.hpp"

@@ -8,7 +8,6 @@
 #include <optional>
 #include <vector>
 
-#include "setsquare/eval/closure_summary.hpp"
 #include "tests/eval/random_trajectory.hpp"
 
 namespace setsquare {

@@ -8,7 +8,6 @@
 #include <cstdlib>
 #include <optional>
 
-#include "setsquare/eval/pose_index.hpp"
 #include "tests/eval/random_trajectory.hpp"
 
 namespace setsquare {

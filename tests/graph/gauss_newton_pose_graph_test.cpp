@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/graph/gauss_newton_pose_graph.hpp"
-
 #include <gtest/gtest.h>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/gauss_newton.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/pose_equations.hpp"
 #include "tests/graph/simulated_pose_graph.hpp"

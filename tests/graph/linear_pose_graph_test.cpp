@@ -7,8 +7,7 @@
 #include <Eigen/Dense>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/graph/gauss_newton_pose_graph.hpp"
-#include "setsquare/graph/position_system.hpp"
+#include "setsquare/graph/gauss_newton.hpp"
 #include "tests/graph/simulated_pose_graph.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"

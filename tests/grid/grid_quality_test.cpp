@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "setsquare/grid/grid_from_scans.hpp"
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/robot_path.hpp"
-#include "setsquare/sim/scanner_model.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
+#include "setsquare/sim/sensing/scanner_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare {

@@ -15,16 +15,16 @@
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/graph/heading_fusion.hpp"
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/ray_casting.hpp"
-#include "setsquare/sim/robot_path.hpp"
-#include "setsquare/sim/scanner_model.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
-#include "setsquare/slam/heading_proposals.hpp"
-#include "setsquare/slam/mapper.hpp"
-#include "setsquare/slam/motion_uncertainty.hpp"
-#include "setsquare/slam/scan_tracker.hpp"
+#include "setsquare/headings/fusion.hpp"
+#include "setsquare/headings/proposals.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/sensing/ray_casting.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
+#include "setsquare/sim/sensing/scanner_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
+#include "setsquare/tracking/motion_uncertainty.hpp"
+#include "setsquare/tracking/scan_tracker.hpp"
 
 namespace setsquare {
 namespace {

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/io/closures_tsv.hpp"
-#include "setsquare/io/trajectory_tum.hpp"
+#include "setsquare/io/tables/closures_tsv.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/data_dir.hpp"
 

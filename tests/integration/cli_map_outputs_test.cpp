@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-#include "setsquare/io/map_pgm_yaml.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/walled_world.hpp"
 

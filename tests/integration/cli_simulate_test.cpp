@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "setsquare/io/open_log.hpp"
-#include "setsquare/io/trajectory_tum.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/xml_fault.hpp"

@@ -11,8 +11,8 @@
 #include "experiments/page_elements.hpp"
 #include "experiments/paper_experiment.hpp"
 #include "experiments/small_worlds.hpp"
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/pair_geometry.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
 #include "tests/support/xml_fault.hpp"
 
 namespace setsquare::experiments {

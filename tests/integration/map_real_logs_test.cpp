@@ -11,11 +11,11 @@
 #include <vector>
 
 #include "setsquare/eval/chained_reference.hpp"
-#include "setsquare/eval/closure_summary.hpp"
+#include "setsquare/eval/closure_judgement.hpp"
 #include "setsquare/eval/relation_error.hpp"
-#include "setsquare/io/open_log.hpp"
-#include "setsquare/io/relations.hpp"
-#include "setsquare/slam/mapper.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/tables/relations.hpp"
+#include "setsquare/mapping/mapper.hpp"
 #include "tests/support/data_dir.hpp"
 
 namespace setsquare {

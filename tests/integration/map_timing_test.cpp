@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/map_timing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -9,6 +7,8 @@
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "apps/setsquare/map/timing.hpp"
 
 namespace setsquare {
 namespace {

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "setsquare/io/open_log.hpp"
-#include "setsquare/io/relations.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/tables/relations.hpp"
 #include "setsquare/matching/base_frame.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "tests/support/data_dir.hpp"

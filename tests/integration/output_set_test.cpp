@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/output_set.hpp"
+#include "apps/setsquare/outputs/output_set.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/carmen_writer.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +9,7 @@
 #include <string>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/io/logs/carmen/writer.hpp"
 #include "tests/io/read_all.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/closures_tsv.hpp"
+#include "setsquare/io/tables/closures_tsv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

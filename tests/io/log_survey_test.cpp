@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/log_survey.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
 
 #include <gtest/gtest.h>
 

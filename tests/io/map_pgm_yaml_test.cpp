@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/map_pgm_yaml.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

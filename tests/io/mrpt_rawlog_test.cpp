@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/mrpt_rawlog.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -9,6 +7,7 @@
 #include <filesystem>
 #include <string>
 
+#include "setsquare/io/logs/mrpt/rawlog.hpp"
 #include "tests/io/mrpt_bytes.hpp"
 #include "tests/io/read_all.hpp"
 #include "tests/support/pose_matchers.hpp"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/open_log.hpp"
+#include "setsquare/io/logs/open_log.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

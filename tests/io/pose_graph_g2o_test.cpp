@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/pose_graph_g2o.hpp"
+#include "setsquare/io/tables/pose_graph_g2o.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/open_log.hpp"
+#include "setsquare/io/logs/open_log.hpp"
 
 namespace setsquare::testing {
 

@@ -8,9 +8,9 @@
 #include <optional>
 #include <string>
 
-#include "setsquare/io/log_survey.hpp"
-#include "setsquare/io/open_log.hpp"
-#include "setsquare/io/relations.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/tables/relations.hpp"
 #include "tests/support/data_dir.hpp"
 #include "tests/support/pose_matchers.hpp"
 

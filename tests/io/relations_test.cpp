@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/relations.hpp"
+#include "setsquare/io/tables/relations.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

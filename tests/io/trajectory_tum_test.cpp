@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/trajectory_tum.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

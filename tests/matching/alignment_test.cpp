@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/matching/alignment.hpp"
+#include "setsquare/surfaces/alignment.hpp"
 
 #include <gtest/gtest.h>
 

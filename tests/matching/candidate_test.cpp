@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // The score's laws, whatever its parameters' values.
-#include "setsquare/matching/candidate.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "setsquare/matching/candidates.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/matching/correlation_grid.hpp"
+#include "setsquare/surfaces/correlation_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <vector>
 
-#include "setsquare/matching/candidate.hpp"
+#include "setsquare/matching/candidates.hpp"
 #include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "tests/support/rooms.hpp"

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/matching/match_information.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,9 +7,10 @@
 #include <iostream>
 #include <vector>
 
+#include "setsquare/matching/information.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare {

@@ -1,14 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // Each rule of the verdict alone turns an answer that stands into one that does not.
-#include "setsquare/matching/match_verdict.hpp"
-
 #include <gmock/gmock.h>
 
 #include <cmath>
 #include <functional>
 #include <string>
 
+#include "setsquare/matching/verdict.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare {

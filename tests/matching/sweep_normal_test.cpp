@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/matching/sweep_normal.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/matching/sweep_refinement.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 

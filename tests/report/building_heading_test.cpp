@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/building_heading.hpp"
+#include "setsquare/report/map/building_heading.hpp"
 
 #include <gtest/gtest.h>
 

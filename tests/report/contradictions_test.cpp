@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/contradictions.hpp"
+#include "setsquare/report/match/contradictions.hpp"
 
 #include <gtest/gtest.h>
 

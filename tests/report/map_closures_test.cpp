@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/map_closures.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,7 +7,8 @@
 #include <vector>
 
 #include "setsquare/drawing/png.hpp"
-#include "setsquare/report/map_picture.hpp"
+#include "setsquare/report/map/closures.hpp"
+#include "setsquare/report/map/picture.hpp"
 #include "setsquare/report/palette.hpp"
 
 namespace setsquare {

@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/map_picture.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,7 +8,8 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/drawing/png.hpp"
-#include "setsquare/report/map_raster.hpp"
+#include "setsquare/report/map/picture.hpp"
+#include "setsquare/report/map/raster.hpp"
 #include "setsquare/report/palette.hpp"
 
 namespace setsquare {

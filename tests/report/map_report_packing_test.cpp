@@ -1,7 +1,5 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/map_report_packing.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "setsquare/report/map/page_data.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare {

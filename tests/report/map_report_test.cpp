@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // What the page's bytes promise; tests/browser looks at what they draw.
-#include "setsquare/report/map_report.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -10,8 +8,9 @@
 #include <limits>
 #include <string>
 
-#include "setsquare/report/map_report_data.hpp"
-#include "setsquare/report/map_report_image.hpp"
+#include "setsquare/report/map/page.hpp"
+#include "setsquare/report/map/page_data.hpp"
+#include "setsquare/report/map/page_image.hpp"
 
 namespace setsquare {
 namespace {

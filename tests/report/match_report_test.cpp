@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/match_report.hpp"
-
 #include <gmock/gmock.h>
 
 #include <string>
 
-#include "setsquare/report/match_sections.hpp"
+#include "setsquare/report/match/report.hpp"
+#include "setsquare/report/match/sections.hpp"
 #include "tests/support/rectangular_room.hpp"
 #include "tests/support/xml_fault.hpp"
 

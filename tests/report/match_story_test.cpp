@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/match_story.hpp"
-
 #include <gmock/gmock.h>
 
 #include <numeric>
 
-#include "setsquare/report/match_figures.hpp"
-#include "setsquare/report/story_scan.hpp"
+#include "setsquare/report/match/figures/figures.hpp"
+#include "setsquare/report/match/story/scan.hpp"
+#include "setsquare/report/match/story/story.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rectangular_room.hpp"
 

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/pair_geometry.hpp"
-#include "setsquare/sim/simulated_scan.hpp"
-#include "setsquare/sim/study_sampling.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
+#include "setsquare/sim/pairs/study_sampling.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 // How hard the buildings are, by their geometry alone: nothing here knows a matcher.
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/building_sketch.hpp"
-
 #include <gtest/gtest.h>
+
+#include "setsquare/sim/building/sketch.hpp"
 
 namespace setsquare {
 namespace {

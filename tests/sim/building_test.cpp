@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/building.hpp"
+#include "setsquare/sim/building/building.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdint>
 #include <string>
 
-#include "setsquare/sim/robot_path.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
 #include "tests/sim/clearance.hpp"
 
 namespace setsquare {

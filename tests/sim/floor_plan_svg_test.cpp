@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/floor_plan_svg.hpp"
+#include "setsquare/sim/svg/floor_plan_svg.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/odometry_model.hpp"
+#include "setsquare/sim/sensing/odometry_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/pair_geometry.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
 
 #include <gmock/gmock.h>
 

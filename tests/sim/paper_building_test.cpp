@@ -5,9 +5,9 @@
 #include <Eigen/Core>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/sim/building.hpp"
-#include "setsquare/sim/pair_geometry.hpp"
-#include "setsquare/sim/robot_path.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/pairs/pair_geometry.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
 #include "tests/sim/clearance.hpp"
 
 namespace setsquare {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/person.hpp"
+#include "setsquare/sim/sensing/person.hpp"
 
 #include <gmock/gmock.h>
 

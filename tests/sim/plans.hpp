@@ -7,7 +7,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/sim/floor_plan.hpp"
-#include "setsquare/sim/ray_casting.hpp"
+#include "setsquare/sim/sensing/ray_casting.hpp"
 
 namespace setsquare::testing {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/scanner_model.hpp"
+#include "setsquare/sim/sensing/scanner_model.hpp"
 
 #include <gmock/gmock.h>
 

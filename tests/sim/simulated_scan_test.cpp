@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/simulated_scan.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 #include <gmock/gmock.h>
 

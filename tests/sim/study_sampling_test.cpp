@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/sim/study_sampling.hpp"
+#include "setsquare/sim/pairs/study_sampling.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,10 +3,10 @@
 #include <iostream>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/matching/match_result.hpp"
+#include "setsquare/paper/thinning.hpp"
+#include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
-#include "setsquare/scan/thinning.hpp"
 
 /// Uses a header and a compiled function of each layer that the package exports.
 int main() {

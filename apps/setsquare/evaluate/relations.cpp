@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/tables/relations.hpp"
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "apps/setsquare/evaluate/evaluate.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/eval/relation_error.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
+
+namespace setsquare::app {
+namespace {
+
+struct EvaluateRelationsOptions {
+  std::string trajectory_path;
+  std::string relations_path;
+  bool is_json = false;
+};
+
+nlohmann::ordered_json json_from_relations(const MeanAndDeviation& statistic, double unit) {
+  return {{"mean", unit * statistic.mean}, {"deviation", unit * statistic.deviation}};
+}
+
+constexpr double kDegPerRad = deg_from_rad(1.0);
+
+nlohmann::ordered_json json_from_relations(const RelationErrors& errors) {
+  return {{"num_relations", errors.num_relations},
+          {"translation_m", json_from_relations(errors.translation_m, 1.0)},
+          {"squared_translation_m2", json_from_relations(errors.squared_translation_m2, 1.0)},
+          {"rotation_deg", json_from_relations(errors.rotation_rad, kDegPerRad)},
+          {"squared_rotation_deg2",
+           json_from_relations(errors.squared_rotation_rad2, kDegPerRad * kDegPerRad)}};
+}
+
+void print_json(const RelationErrorReport& report) {
+  const nlohmann::ordered_json json = {{"all", json_from_relations(report.all)},
+                                       {"under_60_s", json_from_relations(report.under_60_s)},
+                                       {"from_60_s", json_from_relations(report.from_60_s)},
+                                       {"num_missing", report.num_missing}};
+  std::cout << json.dump(2) << "\n";
+}
+
+void print_row(const char* name, const RelationErrors& errors) {
+  char line[200];
+  std::snprintf(line,
+                sizeof line,
+                "%-16s %9zu   %8.4f +- %-8.4f %9.5f +- %-9.5f %8.3f +- %-8.3f %8.3f +- %-8.3f\n",
+                name,
+                errors.num_relations,
+                errors.translation_m.mean,
+                errors.translation_m.deviation,
+                errors.squared_translation_m2.mean,
+                errors.squared_translation_m2.deviation,
+                deg_from_rad(errors.rotation_rad.mean),
+                deg_from_rad(errors.rotation_rad.deviation),
+                kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.mean,
+                kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.deviation);
+  std::cout << line;
+}
+
+void print_table(const RelationErrorReport& report) {
+  std::cout << "relations            number   |translation| m        translation^2 m^2        "
+               "|rotation| deg       rotation^2 deg^2\n";
+  print_row("all", report.all);
+  print_row("under 60 s apart", report.under_60_s);
+  print_row("60 s and more", report.from_60_s);
+  if (report.num_missing > 0) {
+    std::cout << report.num_missing
+              << " relations are left out: the trajectory has no pose at one of their stamps\n";
+  }
+}
+
+void evaluate_relations(const EvaluateRelationsOptions& options) {
+  const Trajectory trajectory = read_trajectory_tum(options.trajectory_path);
+  const std::vector<Relation> relations = read_relations(options.relations_path);
+  const RelationErrorReport report = relation_error(trajectory, relations);
+  if (report.all.num_relations == 0) {
+    throw FormatError(options.relations_path,
+                      "",
+                      "no relation has both its stamps in " + options.trajectory_path);
+  }
+  if (options.is_json) {
+    print_json(report);
+  } else {
+    print_table(report);
+  }
+}
+
+}  // namespace
+
+void add_evaluate_relations(CLI::App& evaluate) {
+  const auto options = std::make_shared<EvaluateRelationsOptions>();
+  CLI::App* relations = evaluate.add_subcommand(
+      "relations", "Error of a trajectory by relations between poses (Kuemmerle et al. 2009)");
+  relations->add_option("trajectory", options->trajectory_path, "Trajectory, TUM format")
+      ->required();
+  relations->add_option("relations", options->relations_path, "Relations")->required();
+  relations->add_flag("--json", options->is_json, "Print JSON");
+  relations->footer("Example:\n  setsquare evaluate relations out/trajectory.tum intel.relations");
+  relations->callback([options] { evaluate_relations(*options); });
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// `setsquare info LOG`: what is in a log and what is wrong with it.
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "apps/setsquare/info/report.hpp"
+#include "apps/setsquare/progress_bar.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
+#include "apps/setsquare/subcommands.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+
+namespace setsquare::app {
+namespace {
+
+struct InfoOptions {
+  std::string log_path;
+  LogOptions log;
+  bool is_json = false;
+};
+
+void tell_info(const InfoOptions& options) {
+  LogOptions log_options = options.log;
+  log_options.scans_only = false;
+  if (log_options.sensor.empty()) log_options.sensor = "all";
+  const auto reader = open_log(options.log_path, log_options);
+  InfoReport report;
+  {
+    ProgressBar progress("reading");
+    while (const LogRecord* record = reader->next()) {
+      report.survey.add(*record);
+      progress.advance(reader->fraction_read());
+    }
+  }
+  report.path = options.log_path == "-" ? "standard input" : options.log_path;
+  report.format = reader->format();
+  report.front_sensor = reader->front_sensor();
+  report.problems = reader->problems();
+  if (options.is_json) {
+    print_info_json(report, std::cout);
+  } else {
+    print_info(report, std::cout);
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& application) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* info = application.add_subcommand("info", "What is in a log and what is wrong with it");
+  info->add_option("log", options->log_path, "CARMEN log or MRPT rawlog, plain or gzip; - = stdin")
+      ->required();
+  info->add_flag("--json", options->is_json, "Print JSON");
+  add_log_options(*info, options->log);
+  info->footer("Examples:\n  setsquare info intel.clf\n  zcat log.gz | setsquare info - --json");
+  info->callback([options] { tell_info(*options); });
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/info/report.hpp"
+
+#include <cstdarg>
+#include <cstdio>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare::app {
+namespace {
+
+[[gnu::format(printf, 1, 2)]] std::string format_line(const char* format, ...) {
+  char line[400];
+  std::va_list arguments;
+  va_start(arguments, format);
+  std::vsnprintf(line, sizeof line, format, arguments);
+  va_end(arguments);
+  return line;
+}
+
+using Count = unsigned long long;
+
+/// "180" or "180 to 181".
+std::string text_of(const Interval& interval, const char* format, double unit = 1.0) {
+  char low[40];
+  char high[40];
+  std::snprintf(low, sizeof low, format, unit * interval.low);
+  std::snprintf(high, sizeof high, format, unit * interval.high);
+  return std::string(low) == high ? low : std::string(low) + " to " + high;
+}
+
+double percent(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : 100.0 * static_cast<double>(part) / static_cast<double>(whole);
+}
+
+std::string text_of_codes(const SensorSurvey& sensor) {
+  constexpr std::size_t kMaxShown = 8;
+  std::vector<std::pair<double, std::uint64_t>> codes(sensor.codes.begin(), sensor.codes.end());
+  std::stable_sort(
+      codes.begin(), codes.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(codes.size(), kMaxShown); ++i) {
+    text +=
+        format_line("%s%.2f m (%llu)", i == 0 ? "" : ", ", codes[i].first, Count{codes[i].second});
+  }
+  return codes.size() > kMaxShown ? text + ", ..." : text;
+}
+
+void print_sensor(const std::string& name,
+                  bool is_front,
+                  const SensorSurvey& sensor,
+                  std::ostream& out) {
+  const double degrees = deg_from_rad(1.0);
+  const double duration_s = sensor.stamps.duration_s();
+  const std::uint64_t num_all = sensor.num_returns + sensor.num_no_returns + sensor.num_invalid;
+  out << "\n" << name << (is_front ? " (the laser that is read by default)\n" : "\n");
+  out << format_line("  scans      %llu in %.1f s", Count{sensor.stamps.num_stamps}, duration_s);
+  if (duration_s > 0.0) {
+    out << format_line(", %.2f a second, longest gap %.2f s",
+                       static_cast<double>(sensor.stamps.num_stamps - 1) / duration_s,
+                       sensor.stamps.longest_gap_s);
+  }
+  out << "\n  stamps     " << to_string(sensor.stamps.first) << " to "
+      << to_string(sensor.stamps.previous) << "\n";
+  out << "  beams      " << text_of(sensor.num_beams, "%.0f") << ", the first at "
+      << text_of(sensor.first_bearing_rad, "%.2f", degrees) << " deg, step "
+      << text_of(sensor.bearing_step_rad, "%.4f", degrees) << " deg, field of view "
+      << text_of(sensor.field_of_view_rad, "%.2f", degrees) << " deg\n";
+  out << format_line("  mounting   x %.3f m, y %.3f m, heading %.2f deg on the robot\n",
+                     sensor.T_base_sensor.x_m,
+                     sensor.T_base_sensor.y_m,
+                     deg_from_rad(sensor.T_base_sensor.theta_rad));
+  out << format_line("  returns    %.2f %%", percent(sensor.num_returns, num_all));
+  if (!sensor.return_range_m.empty()) {
+    out << " (" << text_of(sensor.return_range_m, "%.2f") << " m)";
+  }
+  out << format_line(", nothing seen %.2f %% (from %.2f m), invalid %.2f %%\n",
+                     percent(sensor.num_no_returns, num_all),
+                     sensor.max_range_m,
+                     percent(sensor.num_invalid, num_all));
+  if (!sensor.codes.empty()) out << "  codes      " << text_of_codes(sensor) << "\n";
+}
+
+void print_odometry(const char* name, const OdometrySurvey& odometry, std::ostream& out) {
+  if (odometry.num_poses == 0) return;
+  out << format_line("  %-10s %llu poses, path %.1f m, turns %.0f deg in sum, at rest %.1f %%\n",
+                     name,
+                     Count{odometry.num_poses},
+                     odometry.path_m,
+                     deg_from_rad(odometry.turn_rad),
+                     percent(odometry.num_still, odometry.num_poses));
+}
+
+}  // namespace
+
+void print_info(const InfoReport& report, std::ostream& out) {
+  out << report.path << ": " << report.format << "\n";
+  for (const auto& [name, sensor] : report.survey.sensors) {
+    print_sensor(name, name == report.front_sensor, sensor, out);
+  }
+  out << "\nodometry\n";
+  bool has_odometry = report.survey.wheel_odometry.num_poses > 0;
+  for (const auto& [name, odometry] : report.survey.scan_odometry) {
+    print_odometry(name.c_str(), odometry, out);
+    has_odometry = has_odometry || odometry.num_poses > 0;
+  }
+  print_odometry("alone", report.survey.wheel_odometry, out);
+  if (!has_odometry) out << "  none\n";
+  const std::vector<std::string> wrong = findings(report);
+  out << "\nwhat is wrong\n";
+  for (const std::string& finding : wrong) out << "  " << finding << "\n";
+  if (wrong.empty()) out << "  nothing found\n";
+}
+
+}  // namespace setsquare::app

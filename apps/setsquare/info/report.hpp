@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
+
+namespace setsquare::app {
+
+/// All that `setsquare info` has to tell.
+struct InfoReport {
+  std::string path;
+  std::string format;
+  std::string front_sensor;
+  LogSurvey survey;
+  LogProblems problems;
+};
+
+/// What is wrong with the log, one sentence each; empty where nothing was found.
+[[nodiscard]] std::vector<std::string> findings(const InfoReport& report);
+
+void print_info(const InfoReport& report, std::ostream& out);
+void print_info_json(const InfoReport& report, std::ostream& out);
+
+}  // namespace setsquare::app

@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// `setsquare map LOG -o DIR`: the map of a building, and every scan's pose.
+#include <algorithm>
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "apps/setsquare/map/outputs.hpp"
+#include "apps/setsquare/map/report.hpp"
+#include "apps/setsquare/map/run.hpp"
+#include "apps/setsquare/map/timing.hpp"
+#include "apps/setsquare/outputs/output_set.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
+#include "apps/setsquare/subcommands.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+
+namespace setsquare::app {
+namespace {
+
+std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
+  std::size_t count = 0;
+  for (const MappedScan& scan : run.track.scans) count += scan.status == status;
+  return count;
+}
+
+double seconds_of(const StageClock& clock) {
+  double sum_s = 0.0;
+  for (const StageTime& stage : clock.stages()) sum_s += stage.wall_s;
+  return sum_s;
+}
+
+/// What the map does not know, a line each.
+void tell_doubts(const MapRun& run) {
+  std::size_t num_unjoined = 0;
+  std::size_t num_unjoined_scans = 0;
+  for (const TrackPiece& piece : run.track.pieces) {
+    num_unjoined += !piece.is_joined;
+    num_unjoined_scans += piece.is_joined ? 0 : piece.num_scans;
+  }
+  if (num_unjoined > 0) {
+    std::cout << "not known where: " << num_unjoined << " pieces of track, " << num_unjoined_scans
+              << " scans, that tracking lost and no place joined; the map leaves them out\n";
+  }
+  double open_m = 0.0;
+  double sigma_m = 0.0;
+  for (const OpenStretch& stretch : run.open_stretches) {
+    open_m += stretch.way_m;
+    sigma_m = std::max(sigma_m, stretch.length_sigma_m);
+  }
+  if (open_m == 0.0) return;
+  char line[200];
+  std::snprintf(line,
+                sizeof line,
+                "not seen by the walls: %.0f m along bare corridors; the least certain stretch is "
+                "known to %.2f m (sigma)\n",
+                open_m,
+                sigma_m);
+  std::cout << line;
+}
+
+void tell(const MapRun& run, double total_s) {
+  const std::size_t num_scans = run.track.scans.size();
+  const ClosureCounts closures = count_closures(run.track);
+  char line[300];
+  std::snprintf(line,
+                sizeof line,
+                "%zu scans, %zu keyframes, %.0f m travelled; degenerate %zu, recovered %zu, lost "
+                "%zu\n%zu loop closures of %zu compared, %zu outvoted\n",
+                num_scans,
+                run.track.keyframes.size(),
+                path_length_m(run.track),
+                num_scans_of(run, TrackStatus::kDegenerate),
+                num_scans_of(run, TrackStatus::kRecovered),
+                num_scans_of(run, TrackStatus::kLost),
+                closures.num_accepted,
+                closures.num_compared,
+                closures.num_outvoted);
+  std::cout << line;
+  tell_doubts(run);
+  std::snprintf(line,
+                sizeof line,
+                "mapped and written in %.2f s (%.0f us a scan)\n",
+                total_s,
+                1e6 * total_s / static_cast<double>(num_scans));
+  std::cout << line;
+}
+
+void tell_files(const std::string& folder, const std::vector<std::string>& names) {
+  std::cout << "written: " << folder << "/";
+  for (const std::string& name : names) std::cout << (&name == &names.front() ? "" : ", ") << name;
+  std::cout << "\n";
+}
+
+/// A map of nothing would replace the last one. Throws FileError.
+void require_something_mapped(const MapOptions& options, const MapRun& run) {
+  const std::size_t num_scans = run.track.scans.size();
+  if (num_scans == 0 || num_scans_of(run, TrackStatus::kLost) < num_scans) return;
+  throw FileError(options.log_path,
+                  "none of its " + std::to_string(num_scans) +
+                      " scans could be mapped: too few returns within range");
+}
+
+void map_log(MapOptions options) {
+  if (options.num_threads == 0) {
+    options.num_threads = std::max(1U, std::thread::hardware_concurrency());
+  }
+  StageClock clock;
+  LogOptions log_options = options.log;
+  log_options.scans_only = true;
+  const auto reader = open_log(options.log_path, log_options);
+  OutputSet outputs(options.output_path, map_output_names());
+  const MapRun run = run_map(*reader, options, clock);
+  require_something_mapped(options, run);
+  write_map_outputs(outputs, options, run, clock);
+  tell(run, seconds_of(clock));
+  tell_files(options.output_path, outputs.added());
+  tell_problems(options.log_path, run.problems);
+}
+
+}  // namespace
+
+void add_map(CLI::App& application) {
+  const auto options = std::make_shared<MapOptions>();
+  CLI::App* map =
+      application.add_subcommand("map", "Map a log: the building, and every scan's pose");
+  map->add_option("log", options->log_path, "CARMEN log or MRPT rawlog, plain or gzip; - = stdin")
+      ->required();
+  map->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
+      ->required();
+  map->add_flag("!--no-odometry", options->uses_odometry, "Use the scans alone");
+  options->num_threads = 0;
+  map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
+      ->default_str("one a processor")
+      ->check(CLI::Range(1, 1024));
+  add_preset_option(*map, options->preset);
+  add_frame_option(*map, options->is_of_sensor);
+  add_log_options(*map, options->log);
+  map->footer(
+      "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
+      "trajectory.tum (one pose a scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
+      "of them at the end, or none. docs/formats.md describes them.\n"
+      "Examples:\n"
+      "  setsquare map intel.clf -o out\n"
+      "  setsquare map intel.clf -o out --no-odometry");
+  map->callback([options] { map_log(*options); });
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+
+#include "setsquare/io/logs/log_reader.hpp"
+
+namespace setsquare::app {
+
+/// Adds the options by which every subcommand reads a log: --sensor, --field-of-view,
+/// --angular-step, --max-range. `options` must outlive the application.
+void add_log_options(CLI::App& subcommand, LogOptions& options);
+
+/// Tells on standard error, at the end of a run, what was wrong with a log: one line for the
+/// damaged records, one for each remark. Nothing where nothing was.
+void tell_problems(const std::string& path, const LogProblems& problems);
+
+}  // namespace setsquare::app

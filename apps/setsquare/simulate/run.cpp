@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/simulate/run.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <vector>
+
+#include "apps/setsquare/progress_bar.hpp"
+#include "apps/setsquare/simulate/world.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/carmen/writer.hpp"
+#include "setsquare/sim/sensing/odometry_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
+
+namespace setsquare::app {
+namespace {
+
+constexpr double kMaxScans = 1e6;
+
+// Parts of the seed; the building has the seed itself.
+constexpr std::uint64_t kOdometryPart = 1;
+constexpr std::uint64_t kFirstScanPart = 1000;
+
+void require_holdable(double num_scans) {
+  if (num_scans > kMaxScans) throw Error("the run would have more than a million scans");
+}
+
+/// Times at a fixed rate while the robot is under way.
+std::vector<double> times_at_rate(const RobotPath& path, double scans_per_s, double sweep_s) {
+  if (sweep_s * scans_per_s > 1.0 + 1e-9) {
+    char text[120];
+    std::snprintf(text,
+                  sizeof text,
+                  "--rate: the scanner sweeps for %g s, so at most %g scans a second",
+                  sweep_s,
+                  1.0 / sweep_s);
+    throw Error(text);
+  }
+  const double last = std::floor(path.duration_s() * scans_per_s + 1e-9);
+  require_holdable(last + 1.0);
+  std::vector<double> times_s;
+  for (int i = 0; i <= static_cast<int>(last); ++i) times_s.push_back(i / scans_per_s);
+  return times_s;
+}
+
+std::vector<double> times_of_scans(const RobotPath& path,
+                                   const SimulateOptions& options,
+                                   double sweep_s) {
+  if (!options.every_m) return times_at_rate(path, options.scans_per_s, sweep_s);
+  const double every_rad = rad_from_deg(options.every_deg);
+  const double turning_s = path.duration_s() * options.speed.turn_rad_per_s;
+  require_holdable(path.length_m() / *options.every_m + turning_s / every_rad);
+  return sample_times(path, *options.every_m, every_rad);
+}
+
+double whole_microseconds(double time_s) { return std::round(time_s * 1e6) / 1e6; }
+
+/// What the wheels report between two scans.
+CarmenRobot robot_between(const StampedPose& last, const StampedPose& now) {
+  const double elapsed_s = seconds_between(last.stamp, now.stamp);
+  if (!(elapsed_s > 0.0)) return {now.pose, 0.0, 0.0};
+  const Pose2 moved = last.pose.inverse() * now.pose;
+  return {now.pose,
+          std::copysign(std::hypot(moved.x_m, moved.y_m), moved.x_m) / elapsed_s,
+          moved.theta_rad / elapsed_s};
+}
+
+void append(SimulatedRun& run, const SimulatedScan& simulated, const Pose2& T_odom_base) {
+  const Timestamp stamp = simulated.scan.stamp;
+  run.truth.push_back({stamp, simulated.T_map_base});
+  run.odometry.push_back({stamp, T_odom_base});
+  const std::size_t last = run.odometry.size() > 1 ? run.odometry.size() - 2 : 0;
+  append_carmen_true_pose(run.log, stamp, simulated.T_map_base, T_odom_base);
+  append_carmen_scan(
+      run.log, simulated.scan, robot_between(run.odometry[last], run.odometry.back()));
+  run.clutter_share += simulated.clutter_share;
+}
+
+}  // namespace
+
+SimulatedRun run_simulation(const Building& world, const SimulateOptions& options) {
+  const ScannerModel scanner = scanner_from(options);
+  const RobotPath path(world.route_m, options.speed);
+  const std::vector<double> times_s = times_of_scans(path, options, scanner.sweep_s);
+  const RayCaster caster(world.plan);
+  if (!options.plan_path.empty()) require_free_route(caster, world.route_m);
+  OdometryModel odometry(options.has_drift ? OdometryParams{} : without_drift(),
+                         sub_seed(options.seed, kOdometryPart));
+  SimulatedRun run;
+  run.duration_s = path.duration_s();
+  run.length_m = path.length_m();
+  ProgressBar progress("simulating");
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    // A seed of its own: a scan does not depend on how many came before.
+    Random random(sub_seed(options.seed, kFirstScanPart + i));
+    const SimulatedScan simulated =
+        simulate_scan(caster, world.people, scanner, path, whole_microseconds(times_s[i]), random);
+    append(run, simulated, odometry.move_to(simulated.T_map_base));
+    if (i == 0) run.num_beams = simulated.scan.num_beams();
+    progress.advance(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
+  }
+  run.clutter_share /= static_cast<double>(times_s.size());
+  return run;
+}
+
+}  // namespace setsquare::app

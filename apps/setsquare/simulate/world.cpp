@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/simulate/world.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
+#include "setsquare/io/tables/text_scanner.hpp"
+#include "setsquare/sim/floor_plan_from_cells.hpp"
+#include "setsquare/sim/svg/floor_plan_svg.hpp"
+
+namespace setsquare::app {
+namespace {
+
+std::string text_of(const std::string& path) {
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
+  const auto source = open_file_source(path);
+  std::string text;
+  std::vector<char> piece(std::size_t{1} << 16);
+  while (const std::size_t num_bytes = source->read(piece)) {
+    text.append(piece.data(), num_bytes);
+    if (text.size() > kMaxBytes) throw FileError(path, "too long for a floor plan");
+  }
+  return text;
+}
+
+/// What a map knows to be occupied is a wall.
+FloorPlan plan_from_grid(const OccupancyGrid& grid) {
+  PlanCells cells;
+  cells.T_map_cells = grid.T_map_grid();
+  cells.resolution_m = grid.resolution_m();
+  cells.num_columns = static_cast<std::size_t>(grid.num_columns());
+  cells.num_rows = static_cast<std::size_t>(grid.num_rows());
+  cells.is_filled.resize(grid.values().size());
+  std::transform(
+      grid.values().begin(), grid.values().end(), cells.is_filled.begin(), [](float log_odds) {
+        return static_cast<std::uint8_t>(log_odds > 0.0F);
+      });
+  return floor_plan_from_cells(cells);
+}
+
+Building world_from_plan(const SimulateOptions& options) {
+  const std::string& path = options.plan_path;
+  const std::string extension = std::filesystem::path(path).extension().string();
+  Building world;
+  if (extension == ".svg") {
+    SvgPlanParams params;
+    params.m_per_unit = options.m_per_unit;
+    SvgPlan svg = floor_plan_from_svg(text_of(path), path, params);
+    world.plan = std::move(svg.plan);
+    world.route_m = std::move(svg.route_m);
+  } else if (extension == ".yaml" || extension == ".yml") {
+    world.plan = plan_from_grid(read_map_pgm_yaml(path));
+    if (world.plan.segments.empty()) throw FormatError(path, "", "not one occupied cell");
+  } else {
+    throw FileError(path, "a plan's name must end in .svg, .yaml or .yml");
+  }
+  if (!options.route.empty()) world.route_m = route_from_text(options.route);
+  if (world.route_m.empty()) throw FileError(path, "no route: give --route \"x,y x,y ...\"");
+  return world;
+}
+
+Building building_from(const SimulateOptions& options) {
+  if (options.building == "paper") return make_paper_building(options.seed).building;
+  if (options.building == "hallway") return make_paper_hallway(options.seed);
+  const auto named = std::find_if(
+      kAllBuildingClasses.begin(), kAllBuildingClasses.end(), [&](BuildingClass building_class) {
+        return to_string(building_class) == options.building;
+      });
+  if (named == kAllBuildingClasses.end()) throw Error("--building: " + options.building);
+  return make_building(*named, options.seed);
+}
+
+}  // namespace
+
+std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
+  constexpr double kFarthest_m = 10'000.0;
+  std::string blanks(text);
+  std::replace(blanks.begin(), blanks.end(), ',', ' ');
+  TextScanner scanner(blanks);
+  std::vector<Eigen::Vector2d> route_m;
+  while (!scanner.is_at_end()) {
+    const auto x_m = scanner.finite_number();
+    const auto y_m = x_m ? scanner.finite_number() : std::nullopt;
+    if (!y_m || std::max(std::abs(*x_m), std::abs(*y_m)) > kFarthest_m) {
+      throw Error("--route: point " + std::to_string(route_m.size() + 1) +
+                  " is not \"x,y\" in m, within 10 km");
+    }
+    route_m.emplace_back(*x_m, *y_m);
+  }
+  if (route_m.size() < 2) throw Error("--route: must have two points or more");
+  return route_m;
+}
+
+Building world_from(const SimulateOptions& options) {
+  Building world = options.plan_path.empty() ? building_from(options) : world_from_plan(options);
+  if (!options.has_people) world.people.clear();
+  return world;
+}
+
+void require_free_route(const RayCaster& caster, const std::vector<Eigen::Vector2d>& route_m) {
+  for (std::size_t i = 1; i < route_m.size(); ++i) {
+    const Eigen::Vector2d way_m = route_m[i] - route_m[i - 1];
+    const double length_m = way_m.norm();
+    if (length_m == 0.0) continue;
+    const Eigen::Vector2d direction = way_m / length_m;
+    const auto hit = caster.cast(route_m[i - 1], direction, length_m);
+    if (!hit) continue;
+    const Eigen::Vector2d place_m = route_m[i - 1] + hit->range_m * direction;
+    char text[100];
+    std::snprintf(text,
+                  sizeof text,
+                  "the route leads through a wall at %.2f,%.2f (piece %zu)",
+                  place_m.x(),
+                  place_m.y(),
+                  i);
+    throw Error(text);
+  }
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/headings/trace.hpp"
+
+namespace setsquare {
+
+/// Parameters of find_heading_frames.
+struct HeadingFramesParams {
+  /// A smaller jump that is not soon undone is no change of frame, but a slip of tracking.
+  double min_separation_rad = rad_from_deg(14.0);
+  std::size_t max_excursion = 60;             ///< Keyframes until which a jump is undone soon.
+  double same_frame_rad = rad_from_deg(4.0);  ///< A frame seen again comes out this near.
+  double min_slip_rad = rad_from_deg(2.5);    ///< A smaller jump is noise of the trace.
+  /// Keyframes, each counted by its confidence, that a piece of the trace needs to tell anything
+  /// ...
+  double min_support = 8.0;
+  /// ... and their share of all its keyframes. Where no piece has both, the best supported tells.
+  double min_share = 0.25;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// A part of a building whose walls are square to each other: a wing.
+struct HeadingFrame {
+  double offset_rad = 0.0;  ///< Of its walls against those of the main frame, modulo the period.
+  double sigma_rad = 0.0;   ///< Standard deviation of the offset; 0 of the main frame.
+  double support = 0.0;     ///< Keyframes that see it, each counted by its confidence.
+};
+
+/// The frames of a building, and what the trace says of the drift once they are known.
+struct HeadingFrames {
+  std::vector<HeadingFrame> frames;  ///< The main one first, by falling support; never empty.
+  std::vector<double> drift_rad;     ///< One a keyframe, unwrapped; rough, to half a bin or so.
+  /// Standard deviation of each tracked rotation: as the evidence has it, widened where it slipped.
+  std::vector<double> step_sigma_rad;
+  /// Share of the log's proposals, each counted by its confidence, that the trace explains: next
+  /// to 1 among straight walls, a third or less among round ones.
+  double share = 1.0;
+};
+
+/// Tells drift from changes of frame: the trace's pieces between changes are laid end to end, for
+/// the tracked heading does not jump where the walls do. A piece whose offset comes out as that of
+/// a frame already seen belongs to it; else it begins a frame. A jump too small for another frame
+/// is a slip of tracking. Pieces of little support tell nothing: they neither begin a frame nor
+/// belong to one, and the drift goes on through them. The frame of the most support is the main
+/// one, at offset 0.
+[[nodiscard]] HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
+                                                const HeadingTrace& trace,
+                                                const HeadingTraceParams& trace_params = {},
+                                                const HeadingFramesParams& params = {});
+
+}  // namespace setsquare

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/headings/evidence.hpp"
+#include "setsquare/headings/frames.hpp"
+#include "setsquare/headings/trace.hpp"
+
+namespace setsquare {
+/// A proposal taken for the direction of one frame's walls.
+struct AssignedProposal {
+  std::size_t keyframe = 0;
+  std::size_t frame = 0;
+  double offset_rad = 0.0;  ///< Measured drift plus frame's offset, unwrapped near the rough drift.
+  double information = 0.0;  ///< In 1/rad^2, beliefs included, before robust weights.
+};
+
+/// The proposals that fit a frame to `gate_rad` where the drift is about `found.drift_rad`, in the
+/// order of the keyframes; a proposal goes to the frame that it fits best. `building_sigma_rad` is
+/// added to each proposal's own sigma. Where much of the log fits no frame, what fits one may do so
+/// by chance: informations are scaled by the square of the share that is explained.
+[[nodiscard]] std::vector<AssignedProposal> assign_heading_proposals(
+    const std::vector<HeadingEvidence>& keyframes,
+    const HeadingFrames& found,
+    double period_rad,
+    double gate_rad,
+    double building_sigma_rad);
+
+/// Parameters of fuse_headings. Angles in rad.
+struct HeadingFusionParams {
+  HeadingTraceParams trace = {};
+  HeadingFramesParams frames = {};
+  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, beside its own sigma.
+  double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
+  int num_iterations = 30;                ///< Of reweighting.
+  /// Neighbouring keyframes see the same walls and err alike: as many of them count as one
+  /// measurement in the standard deviations.
+  double num_alike = 6.0;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// The headings after fusion, one value a keyframe unless it says otherwise. The map's axes are
+/// those of the main frame of the building.
+struct FusedHeadings {
+  std::vector<double> heading_rad;        ///< Tracked heading plus drift; wrap before comparing.
+  std::vector<double> drift_rad;          ///< What was added to the tracked heading.
+  std::vector<double> weight;             ///< How far its proposals are believed, 0 to 1.
+  std::vector<double> heading_sigma_rad;  ///< Standard deviation against the main frame's walls;
+                                          ///< infinite where no wall was seen in the whole log.
+  /// What the proposals believed say of the heading in the map, near heading_rad: the frame's
+  /// offset taken off, the quarter turn decided. heading_rad where there are none.
+  std::vector<double> measured_heading_rad;
+  /// Information of that measurement, in 1/rad^2, robust weight included; 0 where there is none.
+  std::vector<double> measured_information;
+  std::vector<int> frame;  ///< Whose walls were seen: index of `frames`; -1 where none is believed.
+  std::vector<HeadingFrame> frames;  ///< Of the building, the main one first.
+};
+
+/// Headings from the walls' directions and the tracked rotations; no loop is closed, nothing is
+/// snapped. A building may have several frames: wings at odd angles.
+///
+/// 1. The walls' offset is traced through outliers and from wing to wing (trace_headings).
+/// 2. Drift and changes of frame are told apart (find_heading_frames).
+/// 3. Each proposal is taken for a measurement of the frame that it fits, if it fits any; a
+///    keyframe between two wings may measure both.
+/// 4. Robust least squares over the chain: a measurement binds its keyframe's drift and its frame's
+///    offset, weighted by its confidence and sharpness; each tracked rotation binds two neighbours.
+///    Weights of Geman-McClure, graduated from full weights (the scale falls to inlier_rad), each
+///    step one exact solve (HeadingEquations).
+[[nodiscard]] FusedHeadings fuse_headings(const std::vector<HeadingEvidence>& keyframes,
+                                          const HeadingFusionParams& params = {});
+
+}  // namespace setsquare

@@ -1,0 +1,265 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/carmen/line.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/carmen/scan_geometry.hpp"
+#include "setsquare/io/logs/record_stream.hpp"
+#include "setsquare/io/tables/text_scanner.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Messages of CARMEN that hold nothing for us.
+constexpr std::array<std::string_view, 17> kPassedOver = {"SYNC",
+                                                          "MARKER",
+                                                          "COMMENT",
+                                                          "NMEAGGA",
+                                                          "NMEARMC",
+                                                          "GPGGA",
+                                                          "GPRMC",
+                                                          "SONAR",
+                                                          "BUMPER",
+                                                          "VECTORMOVE",
+                                                          "ROBOTVELOCITY",
+                                                          "FOLLOWTRAJECTORY",
+                                                          "BASEVELOCITY",
+                                                          "LASER3",
+                                                          "LASER4",
+                                                          "LASER5",
+                                                          "IMU"};
+
+/// "RAWLASER1" for the prefix "RAWLASER".
+bool is_numbered(std::string_view name, std::string_view prefix) {
+  if (!name.starts_with(prefix) || name.size() == prefix.size() || name.size() > 14) return false;
+  name.remove_prefix(prefix.size());
+  return std::all_of(name.begin(), name.end(), [](char c) { return c >= '0' && c <= '9'; });
+}
+
+bool is_scan_message(std::string_view name) {
+  return name == "FLASER" || name == "RLASER" || is_numbered(name, "ROBOTLASER") ||
+         is_numbered(name, "RAWLASER");
+}
+
+bool is_message(std::string_view name) {
+  return is_scan_message(name) || name == "ODOM" || name == "PARAM" || name == "TRUEPOS" ||
+         std::find(kPassedOver.begin(), kPassedOver.end(), name) != kPassedOver.end();
+}
+
+CarmenLine damaged(CarmenState& state, std::string_view reason) {
+  state.reason = reason;
+  return CarmenLine::kDamaged;
+}
+
+/// ipc_timestamp ipc_hostname logger_timestamp, and nothing behind.
+bool read_tail(TextScanner& text, LogRecord& record) {
+  const auto stamp_text = text.word();
+  const auto host = text.word();
+  const auto logger_stamp = text.word();
+  if (!stamp_text || !host || !logger_stamp || !text.is_at_end()) return false;
+  const auto stamp = timestamp_from_decimal(*stamp_text);
+  if (!stamp || stamp->ns > kMaxStamp_ns || stamp->ns < -kMaxStamp_ns) return false;
+  record.stamp = *stamp;
+  record.scan.stamp = *stamp;
+  return true;
+}
+
+/// n, then n ranges.
+bool read_ranges(TextScanner& text, std::vector<double>& ranges_m) {
+  const auto num_beams = text.count();
+  if (!num_beams || *num_beams == 0 || *num_beams > kMaxBeams) return false;
+  ranges_m.resize(*num_beams);
+  for (double& range_m : ranges_m) {
+    const auto range = text.number();
+    if (!range) return false;
+    range_m = *range;
+  }
+  return true;
+}
+
+/// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" tells nothing).
+double rounding_of(std::string_view number) {
+  const std::size_t point = number.find('.');
+  const std::size_t num_decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;
+  return std::min(0.01, std::pow(10.0, -static_cast<double>(num_decimals)));
+}
+
+/// Laser pose and robot pose: the mounting and the odometry.
+bool read_poses(TextScanner& text, CarmenState& state, LogRecord& record) {
+  TextScanner before = text;
+  const auto first_word = before.word();
+  const auto T_odom_sensor = text.pose();
+  const auto T_odom_base = text.pose();
+  if (!T_odom_sensor || !T_odom_base) return false;
+  state.pose_rounding = rounding_of(*first_word);
+  record.T_odom_base = *T_odom_base;
+  record.scan.T_base_sensor = T_odom_base->inverse() * *T_odom_sensor;
+  return true;
+}
+
+/// What ROBOTLASERn and RAWLASERn state about the scanner, before the ranges.
+struct ScannerFields {
+  double start_angle_rad = 0.0;
+  double field_of_view_rad = 0.0;
+  double bearing_step_rad = 0.0;
+  double max_range_m = 0.0;
+};
+
+std::optional<ScannerFields> read_scanner_fields(TextScanner& text) {
+  const auto laser_type = text.number();
+  const auto start_rad = text.finite_number();
+  const auto field_of_view_rad = text.finite_number();
+  const auto step_rad = text.finite_number();
+  const auto max_range_m = text.finite_number();
+  const auto accuracy_m = text.number();
+  const auto remission_mode = text.number();
+  if (!laser_type || !start_rad || !field_of_view_rad || !step_rad || !max_range_m || !accuracy_m ||
+      !remission_mode) {
+    return std::nullopt;
+  }
+  return ScannerFields{*start_rad, *field_of_view_rad, *step_rad, *max_range_m};
+}
+
+bool skip_numbers(TextScanner& text, std::uint32_t count) {
+  for (std::uint32_t i = 0; i < count; ++i) {
+    if (!text.number()) return false;
+  }
+  return true;
+}
+
+bool has_valid_geometry(const Scan& scan) {
+  try {
+    scan.validate();
+    return true;
+  } catch (const ParameterError&) {
+    return false;
+  }
+}
+
+/// FLASER num_readings [ranges] laser_pose robot_pose tail.
+CarmenLine read_old_scan(bool is_front, TextScanner& text, CarmenState& state, LogRecord& record) {
+  if (!read_ranges(text, record.scan.ranges_m))
+    return damaged(state, "ranges missing or not numbers");
+  if (!read_poses(text, state, record)) return damaged(state, "poses missing or not numbers");
+  if (!read_tail(text, record))
+    return damaged(state, "stamp, host and logger stamp expected at the end");
+  set_symmetric_bearings(record.scan, state.options);
+  record.scan.max_range_m =
+      (is_front ? state.front_max_range_m : state.rear_max_range_m).value_or(kSickLowestCode_m);
+  return has_valid_geometry(record.scan) ? CarmenLine::kRecord
+                                         : damaged(state, "angles that are no scan's");
+}
+
+/// ROBOTLASERn and, without poses and safety fields, RAWLASERn.
+CarmenLine read_new_scan(bool has_poses, TextScanner& text, CarmenState& state, LogRecord& record) {
+  const auto scanner = read_scanner_fields(text);
+  if (!scanner) return damaged(state, "scanner fields missing or not numbers");
+  if (!read_ranges(text, record.scan.ranges_m))
+    return damaged(state, "ranges missing or not numbers");
+  const auto num_remissions = text.count();
+  if (!num_remissions || *num_remissions > kMaxBeams || !skip_numbers(text, *num_remissions)) {
+    return damaged(state, "remissions missing or not numbers");
+  }
+  if (has_poses && !read_poses(text, state, record)) {
+    return damaged(state, "poses missing or not numbers");
+  }
+  constexpr std::uint32_t kNumVelocityAndSafetyFields = 5;
+  if (has_poses && !skip_numbers(text, kNumVelocityAndSafetyFields)) {
+    return damaged(state, "velocity or safety fields missing or not numbers");
+  }
+  if (!read_tail(text, record))
+    return damaged(state, "stamp, host and logger stamp expected at the end");
+  set_stated_bearings(
+      record.scan, scanner->start_angle_rad, scanner->field_of_view_rad, scanner->bearing_step_rad);
+  record.scan.max_range_m = max_range_from_stated(scanner->max_range_m);
+  return has_valid_geometry(record.scan) ? CarmenLine::kRecord
+                                         : damaged(state, "angles that are no scan's");
+}
+
+/// ODOM x y theta tv rv accel tail.
+CarmenLine read_odometry(TextScanner& text, CarmenState& state, LogRecord& record) {
+  record.T_odom_base = text.pose();
+  record.forward_m_per_s = text.finite_number();
+  record.turn_rad_per_s = text.finite_number();
+  const auto acceleration = text.number();
+  if (!record.T_odom_base || !record.forward_m_per_s || !record.turn_rad_per_s || !acceleration) {
+    return damaged(state, "odometry fields missing or not numbers");
+  }
+  if (!read_tail(text, record))
+    return damaged(state, "stamp, host and logger stamp expected at the end");
+  record.kind = RecordKind::kOdometry;
+  return CarmenLine::kRecord;
+}
+
+/// TRUEPOS true_pose odometry_pose tail.
+CarmenLine read_true_pose(TextScanner& text, CarmenState& state, LogRecord& record) {
+  record.T_map_base = text.pose();
+  record.T_odom_base = text.pose();
+  if (!record.T_map_base || !record.T_odom_base || !read_tail(text, record)) {
+    return damaged(state, "true pose, odometry pose and stamps expected");
+  }
+  record.kind = RecordKind::kTruePose;
+  return CarmenLine::kRecord;
+}
+
+/// PARAM name value ...: only the reach of the lasers matters.
+CarmenLine read_parameter(TextScanner& text, CarmenState& state) {
+  const auto name = text.word();
+  const auto max_range_m = text.number();
+  if (name && max_range_m && *max_range_m > 0.0) {
+    if (*name == "robot_front_laser_max")
+      state.front_max_range_m = max_range_from_stated(*max_range_m);
+    if (*name == "robot_rear_laser_max")
+      state.rear_max_range_m = max_range_from_stated(*max_range_m);
+  }
+  return CarmenLine::kNoRecord;
+}
+
+void clear(LogRecord& record, std::string_view name) {
+  record.sensor = name;
+  record.kind = RecordKind::kScan;
+  record.T_odom_base.reset();
+  record.T_map_base.reset();
+  record.forward_m_per_s.reset();
+  record.turn_rad_per_s.reset();
+  record.scan.ranges_m.clear();
+  record.scan.T_base_sensor = {};
+}
+
+}  // namespace
+
+CarmenLine read_carmen_line(std::string_view line, CarmenState& state, LogRecord& record) {
+  if (line.empty() || line.front() == '#') return CarmenLine::kNoRecord;
+  TextScanner text(line);
+  const auto name = text.word();
+  if (!name) return CarmenLine::kNoRecord;
+  if (!is_message(*name)) return damaged(state, "unknown message");
+  if (*name == "PARAM") return read_parameter(text, state);
+  const bool is_scan = is_scan_message(*name);
+  if (!is_scan && (state.options.scans_only || (*name != "ODOM" && *name != "TRUEPOS"))) {
+    return CarmenLine::kNoRecord;
+  }
+  clear(record, *name);
+  if (*name == "ODOM") return read_odometry(text, state, record);
+  if (*name == "TRUEPOS") return read_true_pose(text, state, record);
+  if (name->starts_with("RO")) return read_new_scan(true, text, state, record);
+  if (name->starts_with("RA")) return read_new_scan(false, text, state, record);
+  return read_old_scan(*name == "FLASER", text, state, record);
+}
+
+bool is_carmen_log(std::string_view beginning) {
+  while (!beginning.empty()) {
+    TextScanner line(beginning.substr(0, beginning.find('\n')));
+    const auto name = line.word();
+    if (name && is_message(*name)) return true;
+    const std::size_t end = beginning.find('\n');
+    beginning.remove_prefix(end == std::string_view::npos ? beginning.size() : end + 1);
+  }
+  return false;
+}
+
+}  // namespace setsquare

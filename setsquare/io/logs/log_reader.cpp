@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/log_reader.hpp"
+
+#include <cmath>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+std::string summary(const LogProblems& problems) {
+  if (problems.num_damaged == 0) return {};
+  const LogProblem& first = problems.first.front();
+  const bool is_one = problems.num_damaged == 1;
+  return std::to_string(problems.num_damaged) +
+         (is_one ? " damaged record skipped, at " : " damaged records skipped, the first at ") +
+         first.location + ": " + first.reason;
+}
+
+void LogOptions::validate() const {
+  const auto is_in_turn = [](double angle_rad) { return angle_rad > 0.0 && angle_rad <= kTwoPi; };
+  if (field_of_view_rad && !is_in_turn(*field_of_view_rad)) {
+    throw ParameterError("field_of_view_rad", "must be above 0 and at most one turn");
+  }
+  if (bearing_step_rad && !is_in_turn(std::abs(*bearing_step_rad))) {
+    throw ParameterError("bearing_step_rad", "must not be 0, and at most one turn");
+  }
+  if (max_range_m && !(*max_range_m > 0.0)) {
+    throw ParameterError("max_range_m", "must be above 0");
+  }
+}
+
+}  // namespace setsquare

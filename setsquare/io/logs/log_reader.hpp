@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/core/timestamp.hpp"
+#include "setsquare/scan/scan.hpp"
+
+namespace setsquare {
+/// A record that could not be read and was skipped.
+struct LogProblem {
+  std::string location;  ///< "line 12" or "offset 3456".
+  std::string reason;
+};
+
+/// What is wrong with a log, as far as it has been read.
+struct LogProblems {
+  static constexpr std::size_t kMaxKept = 20;
+
+  std::uint64_t num_damaged = 0;     ///< Records skipped, all of them.
+  std::vector<LogProblem> first;     ///< The first kMaxKept of them.
+  std::vector<std::string> remarks;  ///< What concerns the whole log, one sentence each.
+
+  [[nodiscard]] bool empty() const { return num_damaged == 0 && remarks.empty(); }
+  void add(std::string location, std::string reason) {
+    ++num_damaged;
+    if (first.size() < kMaxKept) first.push_back({std::move(location), std::move(reason)});
+  }
+};
+
+/// One sentence for the end of a run, naming the first damaged record: "3 damaged records skipped,
+/// the first at line 12: ...". Empty where there is none.
+[[nodiscard]] std::string summary(const LogProblems& problems);
+
+enum class RecordKind {
+  kScan,      ///< One sweep of one laser.
+  kOdometry,  ///< A robot pose by odometry alone, without a scan.
+  kTruePose,  ///< The robot's true pose, as a simulator writes it.
+};
+
+/// One record of a log, whatever the log's format. Fields that a kind does not use are empty.
+struct LogRecord {
+  RecordKind kind = RecordKind::kScan;
+  std::string sensor;  ///< Name in the log: "FLASER", "ROBOTLASER1", a sensor label, "ODOM".
+  Timestamp stamp;     ///< Sensor time; equals scan.stamp for a scan.
+  Scan scan;           ///< kScan: ranges in m, mounting included.
+  std::optional<Pose2> T_odom_base;       ///< The robot's odometry pose, where the record has one.
+  std::optional<Pose2> T_map_base;        ///< kTruePose: the robot's true pose.
+  std::optional<double> forward_m_per_s;  ///< kOdometry: speed that the wheels report.
+  std::optional<double> turn_rad_per_s;   ///< kOdometry: rate of turn that the wheels report.
+  std::uint64_t position = 0;  ///< Line number from 1 in a text log, byte offset in a binary one.
+};
+
+/// What to read of a log, and what the log itself does not tell.
+struct LogOptions {
+  /// Which laser's scans: its name in the log, "all", or empty for the front one (the laser whose
+  /// mounting looks most nearly forward; of equal ones the first by name).
+  std::string sensor;
+  bool scans_only = true;  ///< Leave out the records of kinds other than kScan.
+  /// Angles of a message that carries none (FLASER, RLASER): the sweep is symmetric about straight
+  /// ahead. By default 180 degrees, whose step is field of view / n for an even number of beams n
+  /// (180, 360) and field of view / (n - 1) for an odd one (181, 361). Where only the step is
+  /// given, the field of view is step * (n - 1).
+  std::optional<double> field_of_view_rad;
+  std::optional<double> bearing_step_rad;
+  /// Ranges at or above it are no-returns. By default what the log states, else 50 m (the lowest
+  /// code that logs of SICK scanners use for "nothing seen").
+  std::optional<double> max_range_m;
+
+  /// Throws ParameterError naming the field that is out of its domain.
+  void validate() const;
+};
+
+/// Reads a log record by record, in file order, in bounded memory.
+///
+///   auto reader = open_log(path);
+///   while (const LogRecord* record = reader->next()) mapper.add(record->scan);
+class LogReader {
+ public:
+  virtual ~LogReader() = default;
+
+  /// The next record, or null at the end. It stays valid until the next call; its vectors are used
+  /// again. Damaged records are skipped and counted. Throws FileError where the file cannot be
+  /// read further, FormatError at the end of a log that held no scan of the wanted sensor.
+  [[nodiscard]] virtual const LogRecord* next() = 0;
+
+  /// What was wrong so far.
+  [[nodiscard]] virtual const LogProblems& problems() const = 0;
+
+  /// The laser that LogOptions::sensor means when it is empty; empty before the first next().
+  [[nodiscard]] virtual std::string front_sensor() const = 0;
+
+  /// "CARMEN log" or "MRPT rawlog".
+  [[nodiscard]] virtual std::string format() const = 0;
+
+  /// How much of the file has been read, 0 to 1; nothing where the size is unknown (a pipe).
+  [[nodiscard]] virtual std::optional<double> fraction_read() const = 0;
+};
+
+}  // namespace setsquare

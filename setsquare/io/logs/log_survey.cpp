@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/log_survey.hpp"
+
+#include <cmath>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare {
+namespace {
+
+/// No robot that carries a laser scanner through a building moves like this.
+bool is_jump(const Pose2& T_before_after, double seconds) {
+  constexpr double kLongStep_m = 0.5;
+  constexpr double kFastest_m_per_s = 5.0;
+  const double largest_turn_rad = rad_from_deg(30.0);
+  const double fastest_rad_per_s = rad_from_deg(600.0);
+  const double distance_m = std::hypot(T_before_after.x_m, T_before_after.y_m);
+  const double turn_rad = std::abs(T_before_after.theta_rad);
+  return (distance_m > kLongStep_m && distance_m > kFastest_m_per_s * seconds) ||
+         (turn_rad > largest_turn_rad && turn_rad > fastest_rad_per_s * seconds);
+}
+
+/// The wheels said one direction at both ends of a step that went in the other.
+bool is_sign_contradiction(double forward_m, double speed_before_m_per_s, double speed_m_per_s) {
+  constexpr double kSmallestStep_m = 0.002;
+  constexpr double kSmallestSpeed_m_per_s = 0.01;
+  const double slowest_forward = std::min(speed_before_m_per_s, speed_m_per_s);
+  const double slowest_backward = std::max(speed_before_m_per_s, speed_m_per_s);
+  return (forward_m > kSmallestStep_m && slowest_backward < -kSmallestSpeed_m_per_s) ||
+         (forward_m < -kSmallestStep_m && slowest_forward > kSmallestSpeed_m_per_s);
+}
+
+}  // namespace
+
+void StampSurvey::add(Timestamp stamp) {
+  if (num_stamps == 0) {
+    first = earliest = latest = stamp;
+  } else {
+    const double step_s = seconds_between(previous, stamp);
+    num_backward += step_s < 0.0 ? 1 : 0;
+    num_repeated += step_s == 0.0 ? 1 : 0;
+    largest_backward_s = std::max(largest_backward_s, -step_s);
+    longest_gap_s = std::max(longest_gap_s, step_s);
+    earliest = std::min(earliest, stamp);
+    latest = std::max(latest, stamp);
+  }
+  previous = stamp;
+  ++num_stamps;
+}
+
+void SensorSurvey::add(const Scan& scan) {
+  stamps.add(scan.stamp);
+  num_beams.include(static_cast<double>(scan.num_beams()));
+  first_bearing_rad.include(scan.first_bearing_rad);
+  bearing_step_rad.include(scan.bearing_step_rad);
+  field_of_view_rad.include(scan.field_of_view_rad());
+  max_range_m = scan.max_range_m;
+  T_base_sensor = scan.T_base_sensor;
+  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
+    const double range_m = scan.ranges_m[beam];
+    switch (scan.outcome(beam)) {
+      case BeamOutcome::kReturn:
+        ++num_returns;
+        return_range_m.include(range_m);
+        break;
+      case BeamOutcome::kNoReturn:
+        ++num_no_returns;
+        if (codes.size() < kMaxCodes || codes.contains(range_m)) ++codes[range_m];
+        break;
+      case BeamOutcome::kInvalid:
+        ++num_invalid;
+        break;
+    }
+  }
+  num_unchanged += scan.ranges_m == previous_ranges_m_ ? 1 : 0;
+  previous_ranges_m_ = scan.ranges_m;
+}
+
+void OdometrySurvey::add(const LogRecord& record) {
+  if (!record.T_odom_base) return;
+  ++num_poses;
+  if (previous_) {
+    const Pose2 T_before_after = previous_->T_odom_base.inverse() * *record.T_odom_base;
+    const double seconds = std::abs(seconds_between(previous_->stamp, record.stamp));
+    path_m += std::hypot(T_before_after.x_m, T_before_after.y_m);
+    turn_rad += std::abs(T_before_after.theta_rad);
+    num_still += previous_->T_odom_base == *record.T_odom_base ? 1 : 0;
+    if (is_jump(T_before_after, seconds) && num_jumps++ == 0) first_jump_position = record.position;
+    const bool has_speeds = previous_->forward_m_per_s && record.forward_m_per_s;
+    const bool is_contradiction =
+        has_speeds && is_sign_contradiction(
+                          T_before_after.x_m, *previous_->forward_m_per_s, *record.forward_m_per_s);
+    if (is_contradiction && num_sign_contradictions++ == 0) {
+      first_contradiction_position = record.position;
+    }
+  }
+  previous_ = Previous{record.stamp, *record.T_odom_base, record.forward_m_per_s};
+}
+
+void LogSurvey::add(const LogRecord& record) {
+  switch (record.kind) {
+    case RecordKind::kScan:
+      sensors[record.sensor].add(record.scan);
+      scan_odometry[record.sensor].add(record);
+      break;
+    case RecordKind::kOdometry:
+      wheel_odometry.add(record);
+      break;
+    case RecordKind::kTruePose:
+      ++num_true_poses;
+      break;
+  }
+}
+
+}  // namespace setsquare

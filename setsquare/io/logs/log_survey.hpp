@@ -1,0 +1,105 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// What is in a log and what is wrong with it, gathered record by record in bounded memory.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setsquare/io/logs/log_reader.hpp"
+
+namespace setsquare {
+
+/// Smallest and largest of the values seen.
+struct Interval {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  [[nodiscard]] bool empty() const { return low > high; }
+};
+
+/// The stamps of one sensor, in file order.
+struct StampSurvey {
+  std::uint64_t num_stamps = 0;
+  Timestamp first;
+  Timestamp previous;
+  Timestamp earliest;
+  Timestamp latest;
+  std::uint64_t num_backward = 0;  ///< Stamps before their predecessor's.
+  double largest_backward_s = 0.0;
+  std::uint64_t num_repeated = 0;  ///< Stamps equal to their predecessor's.
+  double longest_gap_s = 0.0;      ///< Longest time from one to the next.
+
+  void add(Timestamp stamp);
+  [[nodiscard]] double duration_s() const { return seconds_between(earliest, latest); }
+};
+
+/// The scans of one laser.
+struct SensorSurvey {
+  static constexpr std::size_t kMaxCodes = 64;
+
+  StampSurvey stamps;
+  Interval num_beams;
+  Interval first_bearing_rad;
+  Interval bearing_step_rad;
+  Interval field_of_view_rad;
+  Interval return_range_m;
+  double max_range_m = 0.0;  ///< From which ranges are no-returns, in the last scan.
+  Pose2 T_base_sensor;
+  std::uint64_t num_returns = 0;
+  std::uint64_t num_no_returns = 0;
+  std::uint64_t num_invalid = 0;
+  std::uint64_t num_unchanged = 0;  ///< Scans whose ranges equal their predecessor's, all of them.
+  std::map<double, std::uint64_t> codes;  ///< No-return ranges and how often, the first kMaxCodes.
+
+  void add(const Scan& scan);
+
+ private:
+  std::vector<double> previous_ranges_m_;
+};
+
+/// Poses by odometry, in file order.
+struct OdometrySurvey {
+  std::uint64_t num_poses = 0;
+  double path_m = 0.0;
+  double turn_rad = 0.0;        ///< Sum of the turns' magnitudes.
+  std::uint64_t num_still = 0;  ///< Poses exactly equal to their predecessor's.
+  /// Steps of more than 0.5 m or 30 degrees, faster than 5 m/s or 600 degrees a second.
+  std::uint64_t num_jumps = 0;
+  std::uint64_t first_jump_position = 0;
+  /// Steps of more than 2 mm forwards while the wheels report backwards, or the reverse.
+  std::uint64_t num_sign_contradictions = 0;
+  std::uint64_t first_contradiction_position = 0;
+
+  void add(const LogRecord& record);
+
+ private:
+  struct Previous {
+    Timestamp stamp;
+    Pose2 T_odom_base;
+    std::optional<double> forward_m_per_s;
+  };
+  std::optional<Previous> previous_;
+};
+
+/// The whole log.
+struct LogSurvey {
+  std::map<std::string, SensorSurvey> sensors;          ///< By the laser's name.
+  std::map<std::string, OdometrySurvey> scan_odometry;  ///< Odometry poses that came with scans.
+  OdometrySurvey wheel_odometry;                        ///< Odometry records of their own.
+  std::uint64_t num_true_poses = 0;
+
+  void add(const LogRecord& record);
+};
+
+}  // namespace setsquare

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/open_log.hpp"
+
+#include <string_view>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/carmen/log.hpp"
+#include "setsquare/io/logs/mrpt/rawlog.hpp"
+#include "setsquare/io/logs/selecting_log_reader.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr std::size_t kBeginningBytes = 1 << 16;
+
+struct OtherFormat {
+  std::string_view magic;
+  std::string_view name;
+};
+
+/// Formats that we recognise only to say what the file is.
+constexpr OtherFormat kOtherFormats[] = {{"#ROSBAG V", "a ROS 1 bag"},
+                                         {"\x89MCAP0", "an MCAP file"},
+                                         {"SQLite format 3", "an SQLite file (a ROS 2 bag?)"},
+                                         {"PK\x03\x04", "a zip archive"},
+                                         {"BZh", "a bzip2 file"},
+                                         {"\xfd"
+                                          "7zXZ",
+                                          "an xz file"},
+                                         {"\x28\xb5\x2f\xfd", "a Zstandard file"}};
+
+std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
+                                          const std::string& name,
+                                          const LogOptions& options) {
+  input->ensure(kBeginningBytes);
+  const std::string_view beginning = input->available();
+  const std::string damage = input->source().damage();
+  if (beginning.empty()) {
+    throw FormatError(name, "", damage.empty() ? "the file is empty" : damage);
+  }
+  for (const OtherFormat& other : kOtherFormats) {
+    if (!beginning.starts_with(other.magic)) continue;
+    throw FormatError(name, "", std::string(other.name) + ", which cannot be read as a log");
+  }
+  if (is_mrpt_rawlog(beginning)) return std::make_unique<MrptRawlog>(std::move(input), options);
+  if (is_carmen_log(beginning)) return std::make_unique<CarmenLog>(std::move(input), options);
+  throw FormatError(name, "", "neither a CARMEN log nor an MRPT rawlog");
+}
+
+}  // namespace
+
+std::unique_ptr<LogReader> open_log(const std::string& path, const LogOptions& options) {
+  return open_log(open_file_source(path), path == "-" ? "standard input" : path, options);
+}
+
+std::unique_ptr<LogReader> open_log(std::unique_ptr<ByteSource> source,
+                                    const std::string& name,
+                                    const LogOptions& options) {
+  options.validate();
+  auto input = std::make_unique<InputBuffer>(unpack(std::move(source)));
+  return std::make_unique<SelectingLogReader>(
+      make_stream(std::move(input), name, options), name, options);
+}
+
+}  // namespace setsquare

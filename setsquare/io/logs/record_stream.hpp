@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/logs/log_reader.hpp"
+
+namespace setsquare {
+
+/// The records of one format as they stand in the file: every laser, each mounting as its own
+/// record gives it. What LogReader adds is the same for every format.
+class RecordStream {
+ public:
+  virtual ~RecordStream() = default;
+
+  /// Reads the next record into `record`, whose vectors are used again; false at the end. Skips
+  /// damaged records and counts them in problems(). Throws FileError.
+  [[nodiscard]] virtual bool read(LogRecord& record) = 0;
+
+  /// The unit to which the poses behind the last scan's mounting were rounded (m and rad); 0 where
+  /// the log states the mounting itself.
+  [[nodiscard]] virtual double mounting_rounding() const = 0;
+
+  /// Whether odometry is summed up from increments, so that it began at the identity with the
+  /// first scan.
+  [[nodiscard]] virtual bool is_odometry_summed() const { return false; }
+
+  [[nodiscard]] virtual std::string format() const = 0;
+  [[nodiscard]] virtual const ByteSource& source() const = 0;
+
+  [[nodiscard]] const LogProblems& problems() const { return problems_; }
+  [[nodiscard]] LogProblems& problems() { return problems_; }
+
+ private:
+  LogProblems problems_;
+};
+
+/// More beams than any scanner has: such a record is damaged.
+inline constexpr std::uint32_t kMaxBeams = 65536;
+
+/// Stamps beyond this (the year 2112) are damaged; below, differences of two cannot overflow.
+inline constexpr std::int64_t kMaxStamp_ns = 4'500'000'000'000'000'000;
+
+}  // namespace setsquare

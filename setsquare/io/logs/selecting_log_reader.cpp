@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/selecting_log_reader.hpp"
+
+#include <cmath>
+#include <tuple>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/mounting.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr std::size_t kMaxHeadScans = 64;
+constexpr std::size_t kMaxHeadRecords = 4096;
+
+/// Smaller is more nearly the front laser. RAWLASERn repeats another message, without a mounting.
+auto front_rank(const std::string& sensor, const Pose2& T_base_sensor) {
+  const bool is_raw = sensor.starts_with("RAWLASER");
+  const double turn_deg = std::round(std::abs(deg_from_rad(wrap_to_pi(T_base_sensor.theta_rad))));
+  return std::tuple(is_raw, turn_deg, sensor);
+}
+
+}  // namespace
+
+SelectingLogReader::SelectingLogReader(std::unique_ptr<RecordStream> stream,
+                                       std::string name,
+                                       const LogOptions& options)
+    : stream_(std::move(stream)), name_(std::move(name)), options_(options) {}
+
+void SelectingLogReader::read_head() {
+  is_head_read_ = true;
+  std::map<std::string, std::vector<Pose2>> measured;
+  std::map<std::string, double> rounding;
+  std::size_t num_scans = 0;
+  LogRecord record;
+  while (num_scans < kMaxHeadScans && head_.size() < kMaxHeadRecords && stream_->read(record)) {
+    if (record.kind == RecordKind::kScan) {
+      ++num_scans;
+      measured[record.sensor].push_back(record.scan.T_base_sensor);
+      rounding[record.sensor] = stream_->mounting_rounding();
+    }
+    head_.push_back(record);
+  }
+  for (LogRecord& early : head_) {
+    const bool is_before_first_motion = stream_->is_odometry_summed() && !early.T_odom_base;
+    if (is_before_first_motion) early.T_odom_base = Pose2{};
+  }
+  settle_mountings(measured, rounding);
+  for (const auto& [sensor, mounting] : mountings_) {
+    const bool is_first = front_sensor_.empty();
+    if (is_first || front_rank(sensor, mounting.T_base_sensor) <
+                        front_rank(front_sensor_, mountings_.at(front_sensor_).T_base_sensor)) {
+      front_sensor_ = sensor;
+    }
+  }
+}
+
+void SelectingLogReader::settle_mountings(const std::map<std::string, std::vector<Pose2>>& measured,
+                                          const std::map<std::string, double>& rounding) {
+  for (const auto& [sensor, poses] : measured) {
+    Mounting mounting;
+    mounting.rounding = rounding.at(sensor);
+    mounting.T_base_sensor = settle_mounting(poses, mounting.rounding);
+    mountings_.emplace(sensor, mounting);
+  }
+}
+
+bool SelectingLogReader::is_wanted(const LogRecord& record) const {
+  if (record.kind != RecordKind::kScan) return !options_.scans_only;
+  if (options_.sensor == "all") return true;
+  return record.sensor == (options_.sensor.empty() ? front_sensor_ : options_.sensor);
+}
+
+void SelectingLogReader::remark_varying(Mounting& mounting, const LogRecord& record) {
+  mounting.is_varying = true;
+  stream_->problems().remarks.push_back(
+      record.sensor + ": the laser's pose on the robot is not constant (record " +
+      std::to_string(record.position) + "); the one from the log's beginning is used");
+}
+
+void SelectingLogReader::apply_mounting(LogRecord& record) {
+  Pose2& T_base_sensor = record.scan.T_base_sensor;
+  const auto found = mountings_.find(record.sensor);
+  if (found == mountings_.end()) {
+    const double rounding = stream_->mounting_rounding();
+    T_base_sensor = settle_mounting({T_base_sensor}, rounding);
+    mountings_.emplace(record.sensor, Mounting{T_base_sensor, rounding, false});
+    return;
+  }
+  Mounting& mounting = found->second;
+  if (mounting.rounding == 0.0) return;
+  if (!mounting.is_varying &&
+      is_mounting_varying(mounting.T_base_sensor, T_base_sensor, mounting.rounding)) {
+    remark_varying(mounting, record);
+  }
+  T_base_sensor = mounting.T_base_sensor;
+}
+
+const LogRecord* SelectingLogReader::finish() {
+  const std::string gzip_damage = stream_->source().damage();
+  if (!is_end_told_ && !gzip_damage.empty()) {
+    stream_->problems().remarks.push_back(gzip_damage + "; the log was read up to there");
+  }
+  is_end_told_ = true;
+  const bool is_one_wanted = !options_.sensor.empty() && options_.sensor != "all";
+  if (num_scans_handed_on_ > 0) return nullptr;
+  std::string reason =
+      is_one_wanted ? "no scan of sensor " + options_.sensor : std::string("no scan in this log");
+  if (is_one_wanted && !mountings_.empty()) {
+    reason += "; it has";
+    for (const auto& entry : mountings_) {
+      reason += " " + (entry.first.empty() ? std::string("(unnamed)") : entry.first);
+    }
+  }
+  const std::string damage = summary(stream_->problems());
+  throw FormatError(name_, "", damage.empty() ? reason : reason + " (" + damage + ")");
+}
+
+const LogRecord* SelectingLogReader::next() {
+  if (!is_head_read_) read_head();
+  for (;;) {
+    if (!head_.empty()) {
+      std::swap(current_, head_.front());
+      head_.pop_front();
+    } else if (!stream_->read(current_)) {
+      return finish();
+    }
+    const bool is_scan = current_.kind == RecordKind::kScan;
+    if (is_scan && front_sensor_.empty()) front_sensor_ = current_.sensor;
+    if (is_scan) apply_mounting(current_);
+    if (!is_wanted(current_)) continue;
+    if (is_scan) {
+      ++num_scans_handed_on_;
+      if (options_.max_range_m) current_.scan.max_range_m = *options_.max_range_m;
+    }
+    return &current_;
+  }
+}
+
+}  // namespace setsquare

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/tables/trajectory_tum.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "setsquare/core/save_file.hpp"
+#include "setsquare/io/tables/number_table.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A quaternion of another length is none: relations have as many numbers in a line, too.
+constexpr double kLengthTolerance = 0.01;
+
+/// The angle about z of a rotation (ZYX convention).
+double heading_from_quaternion(double qx, double qy, double qz, double qw) {
+  return wrap_to_pi(std::atan2(2.0 * (qw * qz + qx * qy), 1.0 - 2.0 * (qy * qy + qz * qz)));
+}
+
+}  // namespace
+
+std::string tum_from_trajectory(const Trajectory& trajectory) {
+  std::string text;
+  constexpr std::size_t kLongestLine = 720;  // two numbers of 317 characters: the largest doubles
+  char line[kLongestLine];
+  for (const StampedPose& stamped : trajectory) {
+    const double half_rad = 0.5 * wrap_to_pi(stamped.pose.theta_rad);
+    const int length = std::snprintf(line,
+                                     sizeof line,
+                                     " %.6f %.6f 0 0 0 %.9f %.9f\n",
+                                     stamped.pose.x_m,
+                                     stamped.pose.y_m,
+                                     std::sin(half_rad),
+                                     std::cos(half_rad));
+    text += to_string(stamped.stamp);
+    text.append(line, static_cast<std::size_t>(length));
+  }
+  return text;
+}
+
+void write_trajectory_tum(const std::string& path, const Trajectory& trajectory) {
+  save_file(path, tum_from_trajectory(trajectory));
+}
+
+Trajectory read_trajectory_tum(std::unique_ptr<ByteSource> source, const std::string& name) {
+  Trajectory trajectory;
+  for_each_row<1, 7>(
+      std::move(source), name, "\"stamp x y z qx qy qz qw\"", [&](const TableRow<1, 7>& row) {
+        const auto& [x_m, y_m, z_m, qx, qy, qz, qw] = row.values;
+        const double length = std::hypot(std::hypot(qx, qy), std::hypot(qz, qw));
+        if (std::abs(length - 1.0) > kLengthTolerance) {
+          throw FormatError(name,
+                            "stamp " + to_string(row.stamps[0]),
+                            "qx qy qz qw are no rotation: their length is not 1");
+        }
+        trajectory.push_back({row.stamps[0], {x_m, y_m, heading_from_quaternion(qx, qy, qz, qw)}});
+      });
+  return trajectory;
+}
+
+Trajectory read_trajectory_tum(const std::string& path) {
+  return read_trajectory_tum(open_file_source(path), path);
+}
+
+}  // namespace setsquare

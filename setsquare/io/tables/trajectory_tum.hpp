@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "setsquare/core/trajectory.hpp"
+#include "setsquare/io/logs/byte_source.hpp"
+
+namespace setsquare {
+
+/// The TUM format (as evo reads it): one pose a line, "stamp x y z qx qy qz qw", in the order of
+/// the trajectory. Stamps have six decimals, positions (m) six, quaternions nine.
+[[nodiscard]] std::string tum_from_trajectory(const Trajectory& trajectory);
+
+/// Writes tum_from_trajectory() under a temporary name and renames it. Throws FileError.
+void write_trajectory_tum(const std::string& path, const Trajectory& trajectory);
+
+/// Reads the TUM format; z, and any rotation but that about z, are left out. Throws FileError;
+/// FormatError with the line.
+[[nodiscard]] Trajectory read_trajectory_tum(const std::string& path);
+[[nodiscard]] Trajectory read_trajectory_tum(std::unique_ptr<ByteSource> source,
+                                             const std::string& name);
+
+}  // namespace setsquare

@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/keyframe_track.hpp"
+
+#include <cassert>
+#include <Eigen/LU>
+
+namespace setsquare {
+namespace {
+
+/// The motion from keyframe k - 1 to k, its covariance turned from the odom frame into that of
+/// keyframe k - 1.
+Constraint motion_constraint(const KeyframeTrack& track, std::size_t k, const Pose2& T_from_to) {
+  const MotionCovariance& covariance = track.motions[k];
+  const Eigen::Matrix2d R = rotation_matrix(-track.keyframes[k - 1]->T_odom_sensor.theta_rad);
+  Constraint constraint;
+  constraint.from = k - 1;
+  constraint.to = k;
+  constraint.T_from_to = T_from_to;
+  constraint.information.setZero();
+  constraint.information.topLeftCorner<2, 2>() =
+      (R * covariance.translation_m2 * R.transpose()).inverse();
+  constraint.information(2, 2) = 1.0 / covariance.rotation_rad2;
+  return constraint;
+}
+
+/// The pose `share` of the way from a to b.
+Pose2 between(const Pose2& a, const Pose2& b, double share) {
+  return {a.x_m + share * (b.x_m - a.x_m),
+          a.y_m + share * (b.y_m - a.y_m),
+          wrap_to_pi(a.theta_rad + share * wrap_to_pi(b.theta_rad - a.theta_rad))};
+}
+
+}  // namespace
+
+PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> headings_rad) {
+  assert(headings_rad.size() == track.size());
+  PoseGraph graph;
+  graph.T_map_node.reserve(track.size());
+  graph.constraints.reserve(track.size());
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const double heading_rad = wrap_to_pi(headings_rad[k]);
+    if (k == 0) {
+      graph.T_map_node.push_back({0.0, 0.0, heading_rad});
+      continue;
+    }
+    const Pose2& T_odom_before = track.keyframes[k - 1]->T_odom_sensor;
+    const Pose2& T_odom_sensor = track.keyframes[k]->T_odom_sensor;
+    const Pose2& T_map_before = graph.T_map_node.back();
+    const double drift_before_rad = headings_rad[k - 1] - T_odom_before.theta_rad;
+    const double drift_rad = headings_rad[k] - T_odom_sensor.theta_rad;
+    const double turn_rad = drift_before_rad + 0.5 * wrap_to_pi(drift_rad - drift_before_rad);
+    const Eigen::Vector2d moved_m =
+        rotation_matrix(turn_rad) * (T_odom_sensor.translation() - T_odom_before.translation());
+    const Eigen::Vector2d seen_m = rotation_matrix(-T_map_before.theta_rad) * moved_m;
+    graph.constraints.push_back(motion_constraint(
+        track,
+        k,
+        {seen_m.x(), seen_m.y(), wrap_to_pi(T_odom_sensor.theta_rad - T_odom_before.theta_rad)}));
+    graph.T_map_node.push_back(
+        {T_map_before.x_m + moved_m.x(), T_map_before.y_m + moved_m.y(), heading_rad});
+  }
+  return graph;
+}
+
+std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
+                                  std::span<const MappedKeyframe> keyframes) {
+  std::vector<Pose2> T_map_sensor(T_odom_sensor.begin(), T_odom_sensor.end());
+  if (keyframes.empty()) return T_map_sensor;
+  const auto seen_from = [&](const MappedKeyframe& keyframe, std::size_t i) {
+    return keyframe.T_map_sensor *
+           (T_odom_sensor[keyframe.scan_index].inverse() * T_odom_sensor[i]);
+  };
+  for (std::size_t i = 0; i < keyframes.front().scan_index; ++i) {
+    T_map_sensor[i] = seen_from(keyframes.front(), i);
+  }
+  for (std::size_t k = 0; k < keyframes.size(); ++k) {
+    const MappedKeyframe& from = keyframes[k];
+    const bool is_last = k + 1 == keyframes.size();
+    const std::size_t end = is_last ? T_odom_sensor.size() : keyframes[k + 1].scan_index;
+    const bool hangs = is_last || keyframes[k + 1].begins_piece;
+    const MappedKeyframe& to = hangs ? from : keyframes[k + 1];
+    for (std::size_t i = from.scan_index; i < end; ++i) {
+      const double share =
+          static_cast<double>(i - from.scan_index) / static_cast<double>(end - from.scan_index);
+      T_map_sensor[i] = between(seen_from(from, i), seen_from(to, i), share);
+    }
+  }
+  return T_map_sensor;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <optional>
+#include <vector>
+
+#include "setsquare/mapping/loops/submap.hpp"
+#include "setsquare/tracking/submap_alignment.hpp"
+#include "setsquare/tracking/weak_direction.hpp"
+
+namespace setsquare {
+
+/// Parameters of match_submaps.
+struct SubmapMatchParams {
+  int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
+  std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
+  double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
+  double max_lag = 0.4;  ///< After one step, in score and in agreement: who lags more is dropped.
+  AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
+  AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
+  int num_catching_steps = 4;
+  int num_settling_steps = 6;
+  /// Weight of the expected rotation, in points x m^2: the fused headings are better than a few
+  /// far points.
+  double heading_weight = 2000.0;
+  double contradiction_weight = 2.0;  ///< In the score.
+  double min_compared = 0.3;          ///< The score is a share of at least so much of the points.
+  double distinct_m = 0.4;            ///< Poses nearer than this to each other are the same.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// One submap placed in the other, compared both ways.
+struct SubmapFitBothWays {
+  Pose2 T_reference_current;
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   ///< As in SubmapAlignment, of both ways.
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< Likewise.
+  double score = -1.0;         ///< Explained less contradicted, of the points compared; at most 1.
+  double contradiction = 0.0;  ///< Contradicted points as a share of those that tell.
+  /// As the score, but of the points that tell: what the other hides behind its surfaces counts for
+  /// nothing. Alike places agree alike, from wherever they are seen.
+  double agreement = -1.0;
+};
+
+/// Where a submap lies in another.
+struct SubmapMatch {
+  SubmapFitBothWays best;
+  std::vector<SubmapFitBothWays> others;  ///< Caught elsewhere, the best by score first.
+  WeakDirection weak;                     ///< In the reference's frame.
+};
+
+/// What is known beforehand.
+struct ExpectedPose {
+  Pose2 T_reference_current;
+  double window_m = 0.0;  ///< The true position lies so near along each axis.
+};
+
+/// Finds the translation under which two submaps agree; the rotation is known from the fused
+/// headings but for a fraction of a degree.
+///
+/// 1. Propose: every translation of the window is correlated at the expected rotation.
+/// 2. Refine the best point to line, both ways, the rotation free but held by heading_weight.
+/// 3. Score: points explained less points contradicted, both ways.
+/// Nothing where no proposal is worth refining or stays within the window.
+[[nodiscard]] std::optional<SubmapMatch> match_submaps(const Submap& reference,
+                                                       const Submap& current,
+                                                       const ExpectedPose& expected,
+                                                       const SubmapMatchParams& params = {});
+
+}  // namespace setsquare

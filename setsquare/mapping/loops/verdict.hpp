@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <string_view>
+
+#include "setsquare/core/loop_closure.hpp"
+#include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/mapping/loops/submap_matcher.hpp"
+
+namespace setsquare {
+/// What decides whether two submaps that were matched close a loop.
+struct ClosureVerdictParams {
+  double min_score = 0.35;
+  double max_contradiction = 0.10;
+  double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
+  double min_effective_points = 10.0;  ///< Along the weak direction; below, it is left open.
+  double max_weak_share = 0.2;         ///< Of a direction that is left open, in all points.
+  double max_rival_rad = 0.3;          ///< A rival so nearly along the open direction is none.
+  double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+enum class ClosureReason {
+  kStandsAlone,  ///< Accepted.
+  kOneAxis,      ///< Accepted across a corridor, open along it.
+  kNoPose,       ///< No pose within the window.
+  kLowScore,
+  kContradicted,
+  kAmbiguous,      ///< Another place explains the submaps almost as well.
+  kOpenDirection,  ///< Too few points bind a direction that is none of the map's axes.
+};
+
+/// In lower-case words, for `closures.tsv`.
+[[nodiscard]] std::string_view to_string(ClosureReason reason);
+
+[[nodiscard]] inline bool is_accepted(ClosureReason reason) {
+  return reason == ClosureReason::kStandsAlone || reason == ClosureReason::kOneAxis;
+}
+
+struct ClosureVerdict {
+  ClosureReason reason = ClosureReason::kNoPose;
+  ClosureAxes axes = ClosureAxes::kXY;  ///< Of the map frame.
+};
+
+/// The map's axis that is bound where the direction at this angle in the map is left open.
+[[nodiscard]] ClosureAxes axis_across(double open_rad);
+
+/// `reference_heading_rad`: of the reference in the map frame.
+[[nodiscard]] ClosureVerdict closure_verdict(const SubmapMatch& match,
+                                             double reference_heading_rad,
+                                             const ClosureVerdictParams& params = {});
+
+/// Two places that were compared, and what came of it. Poses are those of the sensors.
+struct ComparedPlaces {
+  std::size_t from = 0;  ///< Keyframe.
+  std::size_t to = 0;    ///< Keyframe.
+  Pose2 T_from_to;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< As in Constraint.
+  ClosureVerdict verdict;
+  double score = 0.0;
+  double contradiction = 0.0;
+};
+
+/// A match of the submaps about two keyframes, judged. `point_sigma_m`: how much a point tells;
+/// `from_heading_rad`: of `from` in the map frame. Where one axis stays open the information says
+/// nothing along it.
+[[nodiscard]] ComparedPlaces judged_places(std::size_t from,
+                                           std::size_t to,
+                                           const SubmapMatch& match,
+                                           double from_heading_rad,
+                                           double point_sigma_m,
+                                           const ClosureVerdictParams& params);
+
+/// The constraint of a pair that was accepted.
+[[nodiscard]] Constraint closure_constraint(const ComparedPlaces& places);
+
+}  // namespace setsquare

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "setsquare/mapping/keyframe_track.hpp"
+#include "setsquare/mapping/loops/loop_closer.hpp"
+
+namespace setsquare {
+
+/// Parameters of join_pieces.
+struct PieceJoiningParams {
+  std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
+  std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
+  double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
+  std::size_t min_agreeing = 3;             ///< Places that must tell the same ...
+  double agreeing_m = 0.5;                  ///< ... as to where the piece lies ...
+  double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// How pieces of track hang together.
+struct JoinedPieces {
+  /// To add to the tracked headings of each piece. What walls tell is known modulo a quarter turn
+  /// only, and of which frame of the building; matches of scans tell the rest.
+  std::vector<double> turn_rad;
+  std::vector<bool> is_joined;         ///< With the largest piece; that one is.
+  std::vector<ComparedPlaces> joints;  ///< Accepted.
+};
+
+/// Finds where pieces of track belong that tracking could not tie to each other.
+///
+/// 1. Places of a piece are compared by their signatures with those of all pieces joined so far.
+/// 2. The most similar are matched by the guess-free matcher; its answer is verified submap against
+///    submap.
+/// 3. Where enough places agree upon where the piece lies, and more than upon any other place, it
+///    is joined.
+/// `T_map_sensor`: one a keyframe, right within each piece. Throws ParameterError.
+[[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,
+                                       std::span<const Pose2> T_map_sensor,
+                                       const LoopCloserParams& closing,
+                                       const PieceJoiningParams& params,
+                                       std::size_t num_threads);
+
+}  // namespace setsquare

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/track_certainty.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <limits>
+
+#include "setsquare/graph/marginal_covariance.hpp"
+
+namespace setsquare {
+namespace {
+
+/// The last keyframe at or before a scan; the first where there is none.
+std::size_t keyframe_before(const MappedTrack& track, std::size_t scan) {
+  const auto after = std::upper_bound(track.keyframes.begin(), track.keyframes.end(), scan);
+  return after == track.keyframes.begin()
+             ? 0
+             : static_cast<std::size_t>(after - track.keyframes.begin()) - 1;
+}
+
+double largest_sigma_m(const Eigen::Matrix2d& covariance) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance, Eigen::EigenvaluesOnly);
+  return std::sqrt(std::max(0.0, solver.eigenvalues().y()));
+}
+
+/// A piece: its scans, and its keyframes, of which it has one at least.
+struct PieceNodes {
+  std::size_t first_scan = 0;
+  std::size_t end_scan = 0;
+  std::size_t first_node = 0;
+  std::size_t num_nodes = 0;
+  bool is_joined = false;
+};
+
+std::vector<PieceNodes> nodes_of_pieces(const MappedTrack& track) {
+  std::vector<PieceNodes> pieces;
+  const auto node_at = [&](std::size_t scan) {
+    const auto at = std::lower_bound(track.keyframes.begin(), track.keyframes.end(), scan);
+    return static_cast<std::size_t>(at - track.keyframes.begin());
+  };
+  for (const TrackPiece& piece : track.pieces) {
+    const std::size_t end_scan = piece.first_scan + piece.num_scans;
+    const std::size_t first_node = node_at(piece.first_scan);
+    const std::size_t num_nodes = node_at(end_scan) - first_node;
+    if (num_nodes == 0) continue;
+    pieces.push_back({piece.first_scan, end_scan, first_node, num_nodes, piece.is_joined});
+  }
+  return pieces;
+}
+
+/// So many nodes of a piece, evenly from its first to its last; all where it has fewer.
+std::vector<std::size_t> spread_nodes(const PieceNodes& piece, std::size_t num) {
+  std::vector<std::size_t> nodes;
+  const std::size_t num_spread = std::min(piece.num_nodes, std::max<std::size_t>(2, num));
+  for (std::size_t k = 0; k < num_spread; ++k) {
+    const std::size_t of_piece = k == 0 ? 0 : k * (piece.num_nodes - 1) / (num_spread - 1);
+    nodes.push_back(piece.first_node + of_piece);
+  }
+  return nodes;
+}
+
+/// Sigmas of a piece's scans from those at some of its nodes: straight lines between, constant
+/// before the first and behind the last.
+void interpolate(const MappedTrack& track,
+                 const PieceNodes& piece,
+                 const std::vector<std::size_t>& nodes,
+                 const std::vector<double>& of_node_m,
+                 std::vector<double>& of_scan_m) {
+  std::size_t next = 0;  // The first node behind the scan.
+  for (std::size_t scan = piece.first_scan; scan < piece.end_scan; ++scan) {
+    while (next < nodes.size() && track.keyframes[nodes[next]] <= scan) ++next;
+    of_scan_m[scan] = of_node_m[next == 0 ? 0 : next - 1];
+    if (next == 0 || next == nodes.size()) continue;
+    const std::size_t before = track.keyframes[nodes[next - 1]];
+    const std::size_t after = track.keyframes[nodes[next]];
+    const double share = static_cast<double>(scan - before) / static_cast<double>(after - before);
+    of_scan_m[scan] += share * (of_node_m[next] - of_node_m[next - 1]);
+  }
+}
+
+/// A run of degenerate scans: way, and the mean of its displacements modulo pi.
+OpenStretch stretch_from(const MappedTrack& track, std::size_t first, std::size_t end) {
+  OpenStretch stretch{.first_scan = first, .num_scans = end - first, .has_odometry = true};
+  double cos_sum = 0.0;
+  double sin_sum = 0.0;
+  for (std::size_t i = first; i < end; ++i) {
+    stretch.has_odometry = stretch.has_odometry && track.scans[i].has_odometry;
+    if (i == 0) continue;
+    const Eigen::Vector2d step =
+        track.scans[i].T_map_base.translation() - track.scans[i - 1].T_map_base.translation();
+    const double double_angle_rad = 2.0 * std::atan2(step.y(), step.x());
+    stretch.way_m += step.norm();
+    cos_sum += step.norm() * std::cos(double_angle_rad);
+    sin_sum += step.norm() * std::sin(double_angle_rad);
+  }
+  stretch.direction_rad = 0.5 * std::atan2(sin_sum, cos_sum);
+  return stretch;
+}
+
+/// Along the stretch's direction, between the keyframes of its piece before and behind it.
+double length_sigma_m(const MappedTrack& track,
+                      const PieceNodes& piece,
+                      const MarginalCovariance& marginals,
+                      const OpenStretch& stretch) {
+  const std::size_t last_scan = stretch.first_scan + stretch.num_scans - 1;
+  const std::size_t last_node = piece.first_node + piece.num_nodes - 1;
+  const std::size_t from =
+      std::clamp(keyframe_before(track, stretch.first_scan), piece.first_node, last_node);
+  const std::size_t to =
+      std::clamp(keyframe_before(track, last_scan) + 1, piece.first_node, last_node);
+  if (from == to) return 0.0;
+  const Eigen::Vector2d along(std::cos(stretch.direction_rad), std::sin(stretch.direction_rad));
+  return std::sqrt(std::max(0.0, along.dot(marginals.of_way(from, to) * along)));
+}
+
+}  // namespace
+
+std::vector<double> position_sigmas_m(const MappedTrack& track, std::size_t max_num_nodes) {
+  if (track.graph.T_map_node.empty()) return {};
+  std::vector<double> of_scan_m(track.scans.size(), std::numeric_limits<double>::infinity());
+  std::vector<PieceNodes> joined = nodes_of_pieces(track);
+  std::erase_if(joined, [](const PieceNodes& piece) { return !piece.is_joined; });
+  std::size_t num_joined_nodes = 0;
+  for (const PieceNodes& piece : joined) num_joined_nodes += piece.num_nodes;
+  max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
+  const MarginalCovariance marginals(track.graph);
+  for (const PieceNodes& piece : joined) {
+    const std::vector<std::size_t> nodes =
+        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes);
+    std::vector<double> of_node_m;
+    for (const std::size_t node : nodes) {
+      of_node_m.push_back(largest_sigma_m(marginals.of_way(joined.front().first_node, node)));
+    }
+    interpolate(track, piece, nodes, of_node_m, of_scan_m);
+  }
+  return of_scan_m;
+}
+
+std::vector<OpenStretch> open_stretches(const MappedTrack& track, double min_way_m) {
+  std::vector<OpenStretch> stretches;
+  const std::size_t n = track.scans.size();
+  for (std::size_t first = 0; first < n;) {
+    std::size_t end = first;
+    while (end < n && track.scans[end].status == TrackStatus::kDegenerate) ++end;
+    if (end > first) {
+      const OpenStretch stretch = stretch_from(track, first, end);
+      if (stretch.way_m >= min_way_m) stretches.push_back(stretch);
+    }
+    first = std::max(end, first + 1);
+  }
+  if (stretches.empty() || track.graph.T_map_node.empty()) return stretches;
+  const MarginalCovariance marginals(track.graph);
+  const std::vector<PieceNodes> pieces = nodes_of_pieces(track);
+  for (OpenStretch& stretch : stretches) {
+    const auto of_stretch = std::find_if(pieces.begin(), pieces.end(), [&](const auto& piece) {
+      return stretch.first_scan < piece.end_scan;
+    });
+    if (of_stretch == pieces.end()) continue;
+    stretch.length_sigma_m = length_sigma_m(track, *of_stretch, marginals, stretch);
+  }
+  return stretches;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/matching/information.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace setsquare {
+
+Eigen::Matrix3d match_information(const MatchNormal& normal) {
+  // H = B B^T by its eigenvectors; in the whitened coordinates the sandwich H S^-1 H is
+  // B (B^-1 S B^-T)^-1 B^T, which stays finite where H is singular.
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal.hessian);
+  const Eigen::Vector3d root = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  constexpr double kTiny = 1e-9;
+  // Variance times length of a piece of wall below which nobody believes it.
+  constexpr double kLeastScatter_m3 = 1e-5;
+  const Eigen::Vector3d inverse_root =
+      (root.array() > kTiny).select(root.cwiseMax(kTiny).cwiseInverse(), 0.0);
+  const Eigen::Matrix3d B = solver.eigenvectors() * root.asDiagonal();
+  const Eigen::Matrix3d B_inverse_transpose = solver.eigenvectors() * inverse_root.asDiagonal();
+  const Eigen::Matrix3d whitened =
+      B_inverse_transpose.transpose() * normal.scatter * B_inverse_transpose +
+      kLeastScatter_m3 * Eigen::Matrix3d::Identity();
+  const Eigen::Matrix3d information = B * whitened.inverse() * B.transpose();
+  return 0.5 * (information + information.transpose());  // To the last bit.
+}
+
+Eigen::Matrix3d without_direction(const Eigen::Matrix3d& information,
+                                  const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d bound = information * direction;
+  const double along = direction.dot(bound);
+  if (!(along > 0.0)) return information;
+  Eigen::Matrix3d left = information - bound * bound.transpose() / along;
+  left.diagonal() = left.diagonal().cwiseMax(0.0);  // rounding may leave a zero below itself
+  return left;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <vector>
+
+#include "setsquare/matching/candidates.hpp"
+#include "setsquare/surfaces/angle_histogram.hpp"
+
+namespace setsquare {
+
+/// How far a proposal came.
+enum class CandidateFate {
+  kAnswer,        ///< The best.
+  kRunnerUp,      ///< The best that differs from the answer.
+  kOutscored,     ///< Refined with all samples, and worse.
+  kSameAsBetter,  ///< Fell into the basin of a better one.
+  kDroppedEarly,  ///< Outscored on a few samples already.
+};
+
+struct TracedCandidate {
+  Candidate candidate;
+  CandidateFate fate = CandidateFate::kDroppedEarly;
+};
+
+/// What one match considered, for `explain`. Poses are those of the sensors.
+struct MatchTrace {
+  std::vector<RotationProposal> rotations;  ///< Of the quick search.
+  std::vector<TracedCandidate> candidates;  ///< Best first, of the last search that ran.
+  bool was_thorough = false;                ///< Whether every rotation of the circle was tried.
+};
+
+}  // namespace setsquare

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/matching/verdict.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace setsquare {
+namespace {
+
+/// Share of the wall that can be judged (agreeing or contradicted) that is contradicted.
+double contradicted_share(const Evidence& evidence) {
+  const double judged_m = evidence.agreeing_m + evidence.contradicted_m;
+  return judged_m > 0.0 ? evidence.contradicted_m / judged_m : 0.0;
+}
+
+/// Whether a different pose explains nearly as much and is contradicted as little. Its score may be
+/// lower only because less is seen in common, which speaks for small motion, not against the pose.
+bool has_rival(std::span<const Candidate> candidates, const AnswerParams& params) {
+  const Candidate& best = candidates.front();
+  const double max_share = contradicted_share(best.evidence) + params.rival_contradiction;
+  const double max_m = best.evidence.contradicted_m + params.rival_contradiction_m;
+  return std::any_of(candidates.begin() + 1, candidates.end(), [&](const Candidate& other) {
+    return !are_same(best.T_reference_current, other.T_reference_current, params) &&
+           other.evidence.agreeing_m >= params.rival_agreement * best.evidence.agreeing_m &&
+           other.evidence.contradicted_m <= max_m &&
+           contradicted_share(other.evidence) <= max_share;
+  });
+}
+
+/// Whether score and margin speak for the answer alone.
+bool stands_out(const VerdictEvidence& evidence, const AnswerParams& params) {
+  const double score = evidence.candidates.front().score;
+  if (score < params.low_score && evidence.constraint.all_m < params.min_wall_m) return false;
+  const double one_way_share = std::max(contradicted_share(evidence.two_way.forward),
+                                        contradicted_share(evidence.two_way.backward));
+  const double margin = score - std::max(evidence.runner_up_score, params.floor_score);
+  if (margin < params.margin_per_contradiction * one_way_share) return false;
+  return (score >= params.min_score && margin >= params.min_margin) ||
+         (score >= params.min_score_alone && margin >= params.min_margin_alone);
+}
+
+}  // namespace
+
+WallConstraint wall_constraint(const Eigen::Matrix3d& hessian) {
+  Eigen::Matrix2d translation = hessian.topLeftCorner<2, 2>();
+  if (hessian(2, 2) > 0.0) {
+    translation -=
+        hessian.topRightCorner<2, 1>() * hessian.bottomLeftCorner<1, 2>() / hessian(2, 2);
+  }
+  // What holds the rotation at the best translation for each rotation; the tiny term keeps a
+  // direction without any wall from dividing by zero.
+  constexpr double kTiny_m = 1e-6;
+  const Eigen::Matrix2d held =
+      hessian.topLeftCorner<2, 2>() + kTiny_m * Eigen::Matrix2d::Identity();
+  const Eigen::Vector2d coupling = hessian.topRightCorner<2, 1>();
+  const double turning_m3 = hessian(2, 2) - coupling.dot(held.inverse() * coupling);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(translation);
+  const Eigen::Vector2d axis = solver.eigenvectors().col(0);
+  const double direction_rad = std::atan2(axis.y(), axis.x());
+  return {.all_m = solver.eigenvalues().sum(),
+          .weakest_m = std::max(0.0, solver.eigenvalues()(0)),
+          .turning_m3 = std::max(0.0, turning_m3),
+          .weakest_direction_rad = direction_rad - kPi * std::floor(direction_rad / kPi)};
+}
+
+MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params) {
+  const Evidence& best = evidence.candidates.front().evidence;
+  if (!(best.agreeing_m >= params.min_agreement * best.wall_m)) return MatchStatus::kNoOverlap;
+  const bool is_held = evidence.constraint.weakest_m >= params.min_constraint_m &&
+                       evidence.constraint.turning_m3 >= params.min_turning_m3;
+  if (!is_held) return MatchStatus::kDegenerate;
+  const bool is_alone = stands_out(evidence, params) && !has_rival(evidence.candidates, params) &&
+                        evidence.distinct_wall_m >= params.min_distinct_m;
+  return is_alone ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+
+#include "setsquare/matching/candidates.hpp"
+#include "setsquare/matching/match_params.hpp"
+#include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/scan/match_result.hpp"
+
+namespace setsquare {
+
+/// How firmly the walls hold the translation once the rotation is free, and the rotation once the
+/// translation is.
+struct WallConstraint {
+  double all_m = 0.0;       ///< Metres of wall, both directions summed.
+  double weakest_m = 0.0;   ///< Metres of wall that face the weakest direction.
+  double turning_m3 = 0.0;  ///< Metres of wall times squared lever arm: 0 in a bare round hall.
+  double weakest_direction_rad = 0.0;  ///< In the reference's frame, in [0, pi).
+};
+
+/// From the normal equations of the pose, distances weighted by metres of wall.
+[[nodiscard]] WallConstraint wall_constraint(const Eigen::Matrix3d& hessian);
+
+/// The evidence of both ways apart, at the answer.
+struct TwoWayEvidence {
+  Evidence forward;   ///< The current scan's samples against the reference.
+  Evidence backward;  ///< The reference's samples against the current scan.
+};
+
+/// What the verdict looks at.
+struct VerdictEvidence {
+  std::span<const Candidate> candidates;  ///< Best first, not empty; all but the first differ.
+  double runner_up_score = 0.0;           ///< Of the best different pose; 0 where there is none.
+  WallConstraint constraint;
+  TwoWayEvidence two_way;
+  double distinct_wall_m = 0.0;
+};
+
+/// Whether the best candidate stands, and if not, why. An accepted wrong match is the worst
+/// outcome: each rule here stands for a kind of place that was met (docs/method.md).
+[[nodiscard]] MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params);
+
+}  // namespace setsquare

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/match_params.hpp"
+#include "setsquare/paper/paper_matcher.hpp"
+#include "setsquare/scan/match_result.hpp"
+
+namespace setsquare {
+
+/// "x 1.234 m, y -0.056 m, rotation 12.34 deg"
+[[nodiscard]] std::string words_of_pose(const Pose2& pose);
+
+/// "0.12 m and 3.4 deg away": how far one pose is from another.
+[[nodiscard]] std::string words_of_difference(const Pose2& from, const Pose2& to);
+
+/// The default matcher's answer with its evidence, a sentence each.
+[[nodiscard]] std::vector<std::string> evidence_in_words(const MatchResult& result,
+                                                         const MatchParams& params);
+
+/// The paper's answer with its evidence, a sentence each.
+[[nodiscard]] std::vector<std::string> evidence_in_words(const MatchResult& result,
+                                                         const PaperParams& params);
+
+}  // namespace setsquare

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/scan/scan.hpp"
+#include "setsquare/surfaces/surface_image.hpp"
+#include "setsquare/surfaces/surface_points.hpp"
+
+namespace setsquare {
+
+/// A scan kept, with its pose by tracking. Never changed once it is made, so that the tracker and
+/// the mapper share it.
+struct Keyframe {
+  std::size_t scan_index = 0;
+  Pose2 T_odom_sensor;
+  Scan scan;  ///< For the guess-free matcher, should tracking get lost.
+  SurfacePoints points;
+  SurfaceImage image;
+};
+
+using KeyframePtr = std::shared_ptr<const Keyframe>;
+
+/// What one scan of a submap saw, and where it stands in the submap's frame. The image is somebody
+/// else's and must outlive this.
+struct PlacedImage {
+  const SurfaceImage* image = nullptr;
+  Pose2 T_submap_sensor;
+};
+
+}  // namespace setsquare

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/motion_uncertainty.hpp"
+
+#include <cmath>
+
+#include "setsquare/core/parameter_checks.hpp"
+
+namespace setsquare {
+
+void MotionUncertaintyParams::validate() const {
+  require_positive(step_sigma_m, "step_sigma_m");
+  require_positive(step_sigma_rad, "step_sigma_rad");
+  require_not_negative(sigma_per_metre, "sigma_per_metre");
+  require_not_negative(sigma_per_turn, "sigma_per_turn");
+  require_not_negative(open_sigma_per_metre, "open_sigma_per_metre");
+  require_not_negative(open_sigma_per_metre_by_odometry, "open_sigma_per_metre_by_odometry");
+  require_positive(lost_sigma_m, "lost_sigma_m");
+  require_positive(lost_sigma_rad, "lost_sigma_rad");
+  require_positive(lost_sigma_m_by_odometry, "lost_sigma_m_by_odometry");
+  require_positive(lost_sigma_rad_by_odometry, "lost_sigma_rad_by_odometry");
+  require_positive(recovered_sigma_m, "recovered_sigma_m");
+  require_positive(recovered_sigma_rad, "recovered_sigma_rad");
+  require_positive(restart_sigma_m, "restart_sigma_m");
+  require_positive(restart_sigma_rad, "restart_sigma_rad");
+  require_positive(restart_sigma_m_by_odometry, "restart_sigma_m_by_odometry");
+  require_positive(restart_sigma_rad_by_odometry, "restart_sigma_rad_by_odometry");
+}
+
+void MotionUncertainty::add(const TrackedPose& tracked) {
+  has_odometry_ = has_odometry_ && tracked.has_odometry;
+  const auto add_jump = [&](double sigma_m, double sigma_rad) {
+    jump_variance_m2_ += sigma_m * sigma_m;
+    jump_variance_rad2_ += sigma_rad * sigma_rad;
+  };
+  switch (tracked.status) {
+    case TrackStatus::kTracked:
+      break;
+    case TrackStatus::kDegenerate: {
+      const double way_m =
+          has_last_ ? (tracked.T_odom_sensor.translation() - T_odom_last_.translation()).norm()
+                    : 0.0;
+      const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
+                                                          : params_.open_sigma_per_metre;
+      const Eigen::Vector2d& u = tracked.weak.direction;
+      // One scan's error is much like the next one's: sigmas add up, not variances.
+      open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();
+      break;
+    }
+    case TrackStatus::kRecovered:
+      add_jump(params_.recovered_sigma_m, params_.recovered_sigma_rad);
+      break;
+    case TrackStatus::kLost:
+      if (tracked.has_odometry) {
+        add_jump(params_.lost_sigma_m_by_odometry, params_.lost_sigma_rad_by_odometry);
+      } else {
+        add_jump(params_.lost_sigma_m, params_.lost_sigma_rad);
+      }
+      break;
+  }
+  if (tracked.is_restart && has_odometry_) {
+    add_jump(params_.restart_sigma_m_by_odometry, params_.restart_sigma_rad_by_odometry);
+  } else if (tracked.is_restart) {
+    add_jump(params_.restart_sigma_m, params_.restart_sigma_rad);
+  }
+  T_odom_last_ = tracked.T_odom_sensor;
+  has_last_ = true;
+}
+
+MotionCovariance MotionUncertainty::take() {
+  const Pose2 moved = T_odom_keyframe_.inverse() * T_odom_last_;
+  const double sigma_m =
+      params_.step_sigma_m + params_.sigma_per_metre * std::hypot(moved.x_m, moved.y_m);
+  const double sigma_rad =
+      params_.step_sigma_rad + params_.sigma_per_turn * std::abs(moved.theta_rad);
+  MotionCovariance covariance;
+  covariance.translation_m2 =
+      (sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
+      open_sigma_m_ * open_sigma_m_;
+  covariance.rotation_rad2 = sigma_rad * sigma_rad + jump_variance_rad2_;
+  covariance.has_odometry = has_odometry_;
+  covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + (open_sigma_m_ * open_sigma_m_).trace());
+  T_odom_keyframe_ = T_odom_last_;
+  open_sigma_m_.setZero();
+  jump_variance_m2_ = 0.0;
+  jump_variance_rad2_ = 0.0;
+  has_odometry_ = true;
+  return covariance;
+}
+
+}  // namespace setsquare

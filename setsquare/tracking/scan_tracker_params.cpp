@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/scan_tracker_params.hpp"
+
+#include "setsquare/core/parameter_checks.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr double kMaxCorridorSteps = 10000.0;
+
+}  // namespace
+
+void PredictionTrust::validate(const std::string& name) const {
+  require_not_negative(weight, name + ".weight");
+  require_positive(sigma_m, name + ".sigma_m");
+  require_not_negative(min_gain, name + ".min_gain");
+}
+
+void SubmapRefinementParams::validate() const {
+  first_step.validate("refinement.first_step");
+  later_steps.validate("refinement.later_steps");
+  require_at_least_one(max_iterations, "refinement.max_iterations");
+  require_positive(converged_m, "refinement.converged_m");
+  require_positive(converged_rad, "refinement.converged_rad");
+  require_positive(max_step_m, "refinement.max_step_m");
+  require_not_negative(chance_points, "refinement.chance_points");
+  require_finite(min_effective_points, "refinement.min_effective_points");
+  if (!(min_effective_points > chance_points)) {
+    throw ParameterError("refinement.min_effective_points", "must be above chance_points");
+  }
+}
+
+void CorridorSearchParams::validate() const {
+  require_not_negative(below_effective_points, "corridor.below_effective_points");
+  require_positive(step_m, "corridor.step_m");
+  require_positive(scale_m, "corridor.scale_m");
+  require_positive(half_range_m, "corridor.half_range_m");
+  if (!(half_range_m <= kMaxCorridorSteps * step_m)) {
+    throw ParameterError("corridor.half_range_m", "must be at most 10000 steps");
+  }
+  require_not_negative(motion_cost, "corridor.motion_cost");
+}
+
+void RecoveryParams::validate() const {
+  require_at_least_one(num_keyframes, "recovery.num_keyframes");
+  require_finite(below_score, "recovery.below_score");
+  require_finite(below_score_if_weak, "recovery.below_score_if_weak");
+  require_finite(enough_score, "recovery.enough_score");
+  require_finite(far_min_score, "recovery.far_min_score");
+  require_not_negative(min_gain, "recovery.min_gain");
+  require_positive(near_m, "recovery.near_m");
+  require_positive(near_rad, "recovery.near_rad");
+}
+
+void ScanTrackerParams::validate() const {
+  require_at_least_one(num_keyframes, "num_keyframes");
+  require_at_least_one(num_scans_averaged, "num_scans_averaged");
+  require_positive(keyframe_distance_m, "keyframe_distance_m");
+  require_positive(keyframe_turn_rad, "keyframe_turn_rad");
+  surfaces.validate();
+  refinement.validate();
+  corridor.validate();
+  recovery.validate();
+  gap.validate();
+  trust_in_odometry.validate("trust_in_odometry");
+  trust_in_last_motion.validate("trust_in_last_motion");
+  require_finite(lost_below_score, "lost_below_score");
+  require_at_least_one(max_lost_scans, "max_lost_scans");
+  require_at_least_one(min_points, "min_points");
+}
+
+}  // namespace setsquare

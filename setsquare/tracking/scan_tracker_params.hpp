@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/surfaces/surface_image.hpp"
+#include "setsquare/surfaces/surface_points.hpp"
+#include "setsquare/tracking/scan_gap.hpp"
+#include "setsquare/tracking/submap_alignment.hpp"
+
+namespace setsquare {
+
+/// How far a prediction is believed along a direction that the walls leave free.
+struct PredictionTrust {
+  double weight = 2.0;    ///< Of each effective point that is missing.
+  double sigma_m = 0.15;  ///< How far off it is taken to be.
+  double min_gain = 0.0;  ///< Closeness that a place elsewhere along the corridor must gain.
+
+  /// Throws ParameterError that names the field. `name`: of this trust among others.
+  void validate(const std::string& name) const;
+};
+
+/// Parameters of the Gauss-Newton refinement against the submap.
+struct SubmapRefinementParams {
+  AlignmentScale first_step{.gate_m = 0.30, .scale_m = 0.10};   ///< Catches.
+  AlignmentScale later_steps{.gate_m = 0.15, .scale_m = 0.05};  ///< Settle.
+  int max_iterations = 10;
+  double converged_m = 1e-3;    ///< A step smaller than this ...
+  double converged_rad = 5e-4;  ///< ... and this ends the iteration.
+  double max_step_m = 0.3;
+  /// Directions bound by fewer effective points than this are topped up by the prediction.
+  double min_effective_points = 3.0;
+  double chance_points = 1.0;  ///< So many, or fewer, are chance: a bare corridor's.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of the search along a corridor.
+struct CorridorSearchParams {
+  double below_effective_points = 4.0;  ///< Only scans bound more weakly are searched.
+  double half_range_m = 0.6;            ///< About the prediction.
+  double step_m = 0.05;
+  double scale_m = 0.06;      ///< Closeness of points to surfaces.
+  double motion_cost = 0.02;  ///< Closeness given up for one sigma off the prediction.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of finding the pose again.
+struct RecoveryParams {
+  double below_score = 0.4;          ///< Scans tracked with less are looked at again, ...
+  double below_score_if_weak = 0.7;  ///< ... those that leave a direction open with less than this.
+  double min_gain = 0.1;             ///< Another place must beat the tracked score by this much.
+  std::size_t num_keyframes = 3;     ///< Matched against, the latest first ...
+  double enough_score = 0.8;         ///< ... until one gives this score.
+  double near_m = 0.6;               ///< Beyond it, or ...
+  double near_rad = rad_from_deg(35.0);  ///< ... this, from the expected pose, a place is far ...
+  double far_min_score = 0.5;  ///< ... and must have this score, by a match that stands alone.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of the scan tracker.
+struct ScanTrackerParams {
+  std::size_t num_keyframes = 8;     ///< In the submap, the latest.
+  double keyframe_distance_m = 0.4;  ///< The paper's spacing (section 5.1).
+  double keyframe_turn_rad = rad_from_deg(10.0);
+  std::size_t num_scans_averaged = 7;  ///< For the last motion.
+  SurfaceParams surfaces;
+  SurfaceImage::Params image;
+  SubmapRefinementParams refinement;
+  CorridorSearchParams corridor;
+  RecoveryParams recovery;
+  ScanGapParams gap;
+  PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
+  PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
+  double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
+  /// After so many lost scans in a row the submap starts anew at the predicted pose.
+  std::size_t max_lost_scans = 5;
+  /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
+  std::size_t min_points = 10;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+}  // namespace setsquare

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/submap_refinement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Cholesky>
+
+namespace setsquare {
+namespace {
+
+/// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
+constexpr double kStepDamping = 1e-3;
+
+/// Takes out what binds the weak direction by chance. Walls that run along it bind it all the same,
+/// by the noise of their normals, and what they say is "stay": a robot in a bare corridor would
+/// come to rest.
+Eigen::Matrix3d without_chance(const WeakDirection& weak, const SubmapRefinementParams& params) {
+  const double share = std::clamp((weak.effective_points - params.chance_points) /
+                                      (params.min_effective_points - params.chance_points),
+                                  0.0,
+                                  1.0);
+  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
+  kept.topLeftCorner<2, 2>() -=
+      (1.0 - std::sqrt(share)) * weak.direction * weak.direction.transpose();
+  return kept;
+}
+
+/// The Gauss-Newton step, with the prediction along the weak direction.
+Eigen::Vector3d step_from(const SubmapFit& fit,
+                          const TrackingProblem& problem,
+                          const SubmapRefinementParams& params) {
+  const Eigen::Matrix3d kept = without_chance(fit.weak, params);
+  Eigen::Matrix3d hessian =
+      kept * fit.alignment.hessian * kept + kStepDamping * Eigen::Matrix3d::Identity();
+  Eigen::Vector3d gradient = kept * fit.alignment.gradient;
+  const double missing_points = params.min_effective_points - fit.weak.effective_points;
+  if (missing_points > 0.0) {
+    const double weight = problem.trust.weight * missing_points;
+    const Eigen::Vector2d& u = fit.weak.direction;
+    const Eigen::Vector2d off =
+        fit.T_odom_sensor.translation() - problem.T_odom_predicted.translation();
+    hessian.topLeftCorner<2, 2>() += weight * u * u.transpose();
+    gradient.head<2>() += weight * u.dot(off) * u;
+  }
+  Eigen::Vector3d step = hessian.ldlt().solve(-gradient);
+  const double length_m = step.head<2>().norm();
+  if (length_m > params.max_step_m) step.head<2>() *= params.max_step_m / length_m;
+  return step;
+}
+
+Pose2 moved(const Pose2& T, const Eigen::Vector2d& direction, double by_m) {
+  return {T.x_m + by_m * direction.x(), T.y_m + by_m * direction.y(), T.theta_rad};
+}
+
+/// Closeness less what the motion costs.
+class CorridorScore {
+ public:
+  CorridorScore(const TrackingProblem& problem,
+                const Eigen::Vector2d& direction,
+                const CorridorSearchParams& params)
+      : problem_(problem), direction_(direction), params_(params) {}
+
+  double off_prediction_m(const Pose2& T) const {
+    return direction_.dot(T.translation() - problem_.T_odom_predicted.translation());
+  }
+
+  double operator()(const Pose2& T) const {
+    const double sigmas = off_prediction_m(T) / problem_.trust.sigma_m;
+    return closeness_to_submap(problem_.submap, problem_.points, T, params_.scale_m) -
+           params_.motion_cost * sigmas * sigmas;
+  }
+
+ private:
+  const TrackingProblem& problem_;
+  Eigen::Vector2d direction_;
+  const CorridorSearchParams& params_;
+};
+
+}  // namespace
+
+SubmapFit refine_in_submap(const TrackingProblem& problem,
+                           const Pose2& start,
+                           const SubmapRefinementParams& params) {
+  SubmapFit fit{.T_odom_sensor = start, .alignment = {}, .weak = {}};
+  Pose2 T = start;
+  for (int iteration = 0; iteration < params.max_iterations; ++iteration) {
+    const AlignmentScale& scale = iteration == 0 ? params.first_step : params.later_steps;
+    fit.T_odom_sensor = T;
+    fit.alignment = align_with_submap(problem.submap, problem.points, T, scale, problem.marks);
+    fit.weak = weak_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
+    const Eigen::Vector3d step = step_from(fit, problem, params);
+    T = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
+    if (step.head<2>().norm() < params.converged_m && std::abs(step.z()) < params.converged_rad) {
+      break;
+    }
+  }
+  fit.T_odom_sensor = T;
+  return fit;
+}
+
+SubmapFit search_along_corridor(const TrackingProblem& problem,
+                                const SubmapFit& fit,
+                                const CorridorSearchParams& params,
+                                const SubmapRefinementParams& refinement) {
+  const Eigen::Vector2d direction = fit.weak.direction;
+  const CorridorScore score(problem, direction, params);
+  const Pose2 at_prediction =
+      moved(fit.T_odom_sensor, direction, -score.off_prediction_m(fit.T_odom_sensor));
+  const int num_steps = static_cast<int>(std::lround(params.half_range_m / params.step_m));
+  Pose2 best = at_prediction;
+  double best_score = -1e9;
+  for (int k = -num_steps; k <= num_steps; ++k) {
+    const Pose2 candidate = moved(at_prediction, direction, k * params.step_m);
+    const double candidate_score = score(candidate);
+    if (candidate_score <= best_score) continue;
+    best = candidate;
+    best_score = candidate_score;
+  }
+  const double fit_score = score(fit.T_odom_sensor);
+  if (best_score <= fit_score + problem.trust.min_gain) return fit;
+
+  SubmapRefinementParams settle = refinement;
+  settle.first_step = refinement.later_steps;
+  const TrackingProblem from_best{
+      problem.submap, problem.points, best, problem.trust, problem.marks};
+  const SubmapFit found = refine_in_submap(from_best, best, settle);
+  return score(found.T_odom_sensor) > fit_score + problem.trust.min_gain ? found : fit;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/pieces/piece_joining.hpp"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "setsquare/core/error.hpp"
+#include "tests/mapping/tracked_world.hpp"
+#include "tests/support/pose_matchers.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::between;
+using testing::drive;
+using testing::spaced;
+using testing::Wall;
+
+/// A piece of track: its own odom frame, in which the map's heading is not known either.
+struct Piece {
+  std::vector<Wall> walls;
+  std::vector<Pose2> T_world_sensor;
+  Pose2 T_odom_world;  ///< By tracking.
+  Pose2 T_map_world;   ///< As the pieces are laid out before they are joined.
+};
+
+struct PiecedTrack {
+  KeyframeTrack track;
+  std::vector<Pose2> T_map_sensor;
+};
+
+/// Pieces one after the other. Each scan has noise of its own.
+PiecedTrack lay_out(const std::vector<Piece>& pieces) {
+  PiecedTrack all;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    for (const Pose2& T_world_sensor : pieces[p].T_world_sensor) {
+      const std::size_t k = all.track.size();
+      const Scan scan =
+          scan_of_walls(pieces[p].walls, T_world_sensor, testing::kAllAround, 0.01, k + 1);
+      all.track.keyframes.push_back(
+          testing::make_keyframe(scan, pieces[p].T_odom_world * T_world_sensor, k));
+      all.track.motions.push_back(testing::small_covariance());
+      all.track.stretches.push_back(p);
+      all.track.pieces.push_back(p);
+      all.T_map_sensor.push_back(pieces[p].T_map_world * T_world_sensor);
+    }
+  }
+  return all;
+}
+
+JoinedPieces join(const PiecedTrack& pieced, std::size_t num_threads = 1) {
+  return join_pieces(pieced.track, pieced.T_map_sensor, {}, {}, num_threads);
+}
+
+std::vector<Pose2> round_the_room() { return spaced(drive(testing::way_around_the_room())); }
+
+/// Another way in the same room.
+std::vector<Pose2> across_the_room() {
+  return spaced(drive({{2.0, 7.5}, {1.5, 5.0}, {2.5, 2.0}, {5.5, 2.5}, {3.0, 1.0}}));
+}
+
+TEST(PieceJoining, FindsTheRoomAgainWhereverTrackingPutIt) {
+  for (const Pose2& T_lost : {Pose2{30.0, -7.0, 0.5 * kPi}, Pose2{-5.0, 40.0, 2.0}, Pose2{}}) {
+    const PiecedTrack pieced =
+        lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+                 {testing::l_shaped_room(), across_the_room(), {4.0, 5.0, -1.0}, T_lost}});
+    const JoinedPieces joined = join(pieced);
+    ASSERT_EQ(joined.is_joined, (std::vector<bool>{true, true}));
+    EXPECT_EQ(joined.turn_rad[0], 0.0);
+    // The second's tracked headings were off by -1 rad.
+    EXPECT_NEAR(wrap_to_pi(joined.turn_rad[1] - 1.0), 0.0, rad_from_deg(0.5));
+    const std::size_t num_first = round_the_room().size();
+    const std::vector<Pose2> first = round_the_room();
+    const std::vector<Pose2> second = across_the_room();
+    ASSERT_GE(joined.joints.size(), 3U);
+    for (const ComparedPlaces& joint : joined.joints) {
+      ASSERT_LT(joint.from, num_first);
+      ASSERT_GE(joint.to, num_first);
+      EXPECT_EQ(joint.verdict.reason, ClosureReason::kStandsAlone);
+      EXPECT_THAT(joint.T_from_to,
+                  testing::PoseNear(between(first[joint.from], second[joint.to - num_first]),
+                                    testing::PoseTolerance{.translation_m = 0.03,
+                                                           .rotation_rad = rad_from_deg(0.5)}));
+    }
+  }
+}
+
+TEST(PieceJoining, WhatHasNothingInCommonStaysApart) {
+  std::vector<Wall> elsewhere = testing::corridor_around_a_block();
+  const PiecedTrack pieced =
+      lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+               {elsewhere, spaced(drive({{1.0, 1.0}, {15.0, 1.0}})), {}, {50.0, 0.0, 0.0}}});
+  const JoinedPieces joined = join(pieced);
+  EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, false}));
+  EXPECT_TRUE(joined.joints.empty());
+  EXPECT_EQ(joined.turn_rad[1], 0.0);
+}
+
+/// Two rooms alike, door to door, and nothing that tells them apart.
+std::vector<Wall> twin_rooms() {
+  std::vector<Wall> walls = testing::l_shaped_room();
+  const std::vector<Wall> twin = testing::moved(walls, {40.0, 0.0, 0.0});
+  walls.insert(walls.end(), twin.begin(), twin.end());
+  return walls;
+}
+
+TEST(PieceJoining, OfTwoRoomsThatAreAlikeItTakesNeither) {
+  // The first piece has been in both; the second is in one of them, and nobody can tell in which.
+  std::vector<Pose2> in_both = round_the_room();
+  for (const Pose2& pose : round_the_room()) in_both.push_back(Pose2{40.0, 0.0, 0.0} * pose);
+  const PiecedTrack pieced = lay_out(
+      {{twin_rooms(), in_both, {}, {}}, {twin_rooms(), across_the_room(), {}, {9.0, 3.0, 1.0}}});
+  const JoinedPieces joined = join(pieced);
+  EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, false}));
+  EXPECT_TRUE(joined.joints.empty());
+}
+
+/// The room and, 40 m off, its mirror image.
+std::vector<Wall> room_and_mirror_image() {
+  std::vector<Wall> walls = testing::l_shaped_room();
+  for (const Wall& wall : testing::l_shaped_room()) {
+    walls.push_back({wall.x1_m + 40.0, -wall.y1_m, wall.x2_m + 40.0, -wall.y2_m});
+  }
+  return walls;
+}
+
+std::vector<Pose2> in_the_mirror_image(std::vector<Pose2> poses) {
+  for (Pose2& pose : poses) pose = {pose.x_m + 40.0, -pose.y_m, -pose.theta_rad};
+  return poses;
+}
+
+TEST(PieceJoining, APieceMayHangOnOneThatIsJoinedAfterIt) {
+  // The first has been in the room, the second in its mirror image, the last in both.
+  std::vector<Pose2> long_way = round_the_room();
+  for (const Pose2& pose : round_the_room()) long_way.push_back(pose);
+  std::vector<Pose2> in_both = across_the_room();
+  for (const Pose2& pose : in_the_mirror_image(across_the_room())) in_both.push_back(pose);
+  const std::vector<Wall> walls = room_and_mirror_image();
+  const PiecedTrack first_two =
+      lay_out({{walls, long_way, {}, {}},
+               {walls, in_the_mirror_image(round_the_room()), {}, {3.0, 60.0, 1.0}}});
+  EXPECT_EQ(join(first_two).is_joined, (std::vector<bool>{true, false}));
+  const PiecedTrack all =
+      lay_out({{walls, long_way, {}, {}},
+               {walls, in_the_mirror_image(round_the_room()), {}, {3.0, 60.0, 1.0}},
+               {walls, in_both, {}, {-60.0, 3.0, 2.5}}});
+  EXPECT_EQ(join(all).is_joined, (std::vector<bool>{true, true, true}));
+}
+
+TEST(PieceJoining, AnyNumberOfThreadsFindsTheSame) {
+  const PiecedTrack pieced =
+      lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+               {testing::l_shaped_room(), across_the_room(), {}, {30.0, 0.0, 1.0}}});
+  const JoinedPieces alone = join(pieced, 1);
+  const JoinedPieces with_four = join(pieced, 4);
+  ASSERT_FALSE(alone.joints.empty());
+  EXPECT_EQ(alone.turn_rad, with_four.turn_rad);
+  ASSERT_EQ(alone.joints.size(), with_four.joints.size());
+  for (std::size_t i = 0; i < alone.joints.size(); ++i) {
+    EXPECT_EQ(alone.joints[i].T_from_to, with_four.joints[i].T_from_to);
+  }
+}
+
+TEST(PieceJoining, AsksForNoMorePlacesThanAllowed) {
+  const PiecedTrack pieced =
+      lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+               {testing::l_shaped_room(), across_the_room(), {}, {30.0, 0.0, 1.0}}});
+  for (std::size_t max_num_queries = 1; max_num_queries <= 6; ++max_num_queries) {
+    const JoinedPieces joined = join_pieces(pieced.track,
+                                            pieced.T_map_sensor,
+                                            {},
+                                            {.max_num_queries = max_num_queries, .min_agreeing = 1},
+                                            1);
+    std::set<std::size_t> sought;
+    for (const ComparedPlaces& joint : joined.joints) sought.insert(joint.to);
+    EXPECT_FALSE(sought.empty());
+    EXPECT_LE(sought.size(), max_num_queries);
+  }
+}
+
+TEST(PieceJoining, APieceOfFewPlacesStaysApart) {
+  // A place stands every third keyframe: the ten of the second piece have no more than four.
+  std::vector<Pose2> short_way = across_the_room();
+  short_way.resize(10);
+  const PiecedTrack pieced = lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+                                      {testing::l_shaped_room(), short_way, {}, {30.0, 0.0, 1.0}}});
+  const auto is_joined = [&](std::size_t min_agreeing) -> bool {
+    const PieceJoiningParams params{.min_agreeing = min_agreeing};
+    return join_pieces(pieced.track, pieced.T_map_sensor, {}, params, 1).is_joined[1];
+  };
+  EXPECT_TRUE(is_joined(3));
+  EXPECT_FALSE(is_joined(5));
+}
+
+TEST(PieceJoining, NoTrackNoPieces) { EXPECT_TRUE(join({}).is_joined.empty()); }
+
+TEST(PieceJoining, RefusesParametersThatAreNone) {
+  const PieceJoiningParams no_queries{.max_num_queries = 0};
+  EXPECT_THROW(static_cast<void>(join_pieces({}, {}, {}, no_queries, 1)), ParameterError);
+}
+
+}  // namespace
+}  // namespace setsquare

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/motion_uncertainty.hpp"
+
+#include <gtest/gtest.h>
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+namespace {
+
+const MotionUncertaintyParams kParams;
+
+TrackedPose at(const Pose2& T_odom_sensor, TrackStatus status = TrackStatus::kTracked) {
+  TrackedPose tracked;
+  tracked.status = status;
+  tracked.T_odom_sensor = T_odom_sensor;
+  return tracked;
+}
+
+TrackedPose open_along(double direction_rad, const Pose2& T_odom_sensor) {
+  TrackedPose tracked = at(T_odom_sensor, TrackStatus::kDegenerate);
+  tracked.weak.direction = {std::cos(direction_rad), std::sin(direction_rad)};
+  return tracked;
+}
+
+MotionCovariance covariance_of(const std::vector<TrackedPose>& scans, bool has_odometry = false) {
+  MotionUncertainty uncertainty(kParams);
+  for (TrackedPose scan : scans) {
+    scan.has_odometry = has_odometry;
+    uncertainty.add(scan);
+  }
+  return uncertainty.take();
+}
+
+double square(double value) { return value * value; }
+
+TEST(MotionUncertainty, AStepHasItsShareOfLengthAndTurn) {
+  const MotionCovariance covariance = covariance_of({at({}), at({0.3, 0.4, -0.2})});
+  const double sigma_m = kParams.step_sigma_m + kParams.sigma_per_metre * 0.5;
+  EXPECT_TRUE(
+      covariance.translation_m2.isApprox(square(sigma_m) * Eigen::Matrix2d::Identity(), 1e-12));
+  EXPECT_NEAR(covariance.rotation_rad2,
+              square(kParams.step_sigma_rad + kParams.sigma_per_turn * 0.2),
+              1e-15);
+}
+
+TEST(MotionUncertainty, VariancesOfLostScansAddUp) {
+  const MotionCovariance none = covariance_of({at({})});
+  for (int num_lost = 1; num_lost <= 5; ++num_lost) {
+    const std::vector<TrackedPose> scans(static_cast<std::size_t>(num_lost),
+                                         at({}, TrackStatus::kLost));
+    const MotionCovariance lost = covariance_of(scans);
+    const Eigen::Matrix2d added_m2 = lost.translation_m2 - none.translation_m2;
+    EXPECT_TRUE(added_m2.isApprox(
+        num_lost * square(kParams.lost_sigma_m) * Eigen::Matrix2d::Identity(), 1e-9));
+    EXPECT_NEAR(
+        lost.rotation_rad2 - none.rotation_rad2, num_lost * square(kParams.lost_sigma_rad), 1e-12);
+  }
+}
+
+TEST(MotionUncertainty, AnOpenDirectionCountsAlongItselfOnly) {
+  constexpr double kOpen_rad = 0.7;
+  const Eigen::Vector2d along(std::cos(kOpen_rad), std::sin(kOpen_rad));
+  const Eigen::Vector2d across(-along.y(), along.x());
+  const Pose2 end{0.4, 0.0, 0.0};
+  const Eigen::Matrix2d bound = covariance_of({at({}), at(end)}).translation_m2;
+  const Eigen::Matrix2d open = covariance_of({at({}), open_along(kOpen_rad, end)}).translation_m2;
+  EXPECT_NEAR(across.dot(open * across), across.dot(bound * across), 1e-12);
+  EXPECT_NEAR(along.dot(open * along) - along.dot(bound * along),
+              square(kParams.open_sigma_per_metre * 0.4),
+              1e-12);
+}
+
+TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
+  // The same way in one scan or in eight: neighbouring scans err alike.
+  std::vector<TrackedPose> many = {at({})};
+  for (int i = 1; i <= 8; ++i) many.push_back(open_along(0.3, {0.05 * i, 0.0, 0.0}));
+  const MotionCovariance in_eight = covariance_of(many);
+  const MotionCovariance in_one = covariance_of({at({}), open_along(0.3, {0.4, 0.0, 0.0})});
+  EXPECT_TRUE(in_eight.translation_m2.isApprox(in_one.translation_m2, 1e-9));
+}
+
+TEST(MotionUncertainty, OdometryIsAWitness) {
+  TrackedPose restart = at({0.4, 0.0, 0.1}, TrackStatus::kLost);
+  restart.is_restart = true;
+  for (const TrackedPose& scan :
+       {at({0.4, 0.0, 0.1}, TrackStatus::kLost), open_along(0.0, {0.4, 0.0, 0.1}), restart}) {
+    const MotionCovariance with = covariance_of({at({}), scan}, true);
+    const MotionCovariance without = covariance_of({at({}), scan}, false);
+    EXPECT_LT(with.translation_m2.trace(), without.translation_m2.trace());
+    EXPECT_LE(with.rotation_rad2, without.rotation_rad2);
+  }
+  // Where the walls tell all it changes nothing.
+  const MotionCovariance with = covariance_of({at({}), at({0.4, 0.0, 0.1})}, true);
+  const MotionCovariance without = covariance_of({at({}), at({0.4, 0.0, 0.1})}, false);
+  EXPECT_EQ(with.translation_m2, without.translation_m2);
+  EXPECT_EQ(with.rotation_rad2, without.rotation_rad2);
+}
+
+TEST(MotionUncertainty, ANewStartIsTheLeastCertainOfAll) {
+  TrackedPose restart = at({}, TrackStatus::kLost);
+  restart.is_restart = true;
+  const MotionCovariance covariance = covariance_of({at({}), restart});
+  EXPECT_GE(covariance.translation_m2(0, 0), square(kParams.restart_sigma_m));
+  EXPECT_GE(covariance.rotation_rad2, square(kParams.restart_sigma_rad));
+}
+
+TEST(MotionUncertainty, OdometryBridgesANewStartOnlyWhereItNeverPaused) {
+  for (const std::size_t without : {1U, 2U, 3U, 9U}) {
+    MotionUncertainty uncertainty(kParams);
+    for (std::size_t i = 0; i < 4; ++i) {
+      TrackedPose scan = at({}, i == 0 ? TrackStatus::kTracked : TrackStatus::kLost);
+      scan.has_odometry = i != without;
+      scan.is_restart = i == 3;
+      uncertainty.add(scan);
+      if (i == 0) static_cast<void>(uncertainty.take());
+    }
+    const MotionCovariance covariance = uncertainty.take();
+    const bool is_bridged = without > 3;
+    EXPECT_EQ(covariance.has_odometry, is_bridged) << without;
+    EXPECT_EQ(covariance.slip_sigma_m < kParams.restart_sigma_m, is_bridged) << without;
+  }
+}
+
+TEST(MotionUncertainty, TakingStartsAnew) {
+  MotionUncertainty uncertainty(kParams);
+  uncertainty.add(at({}));
+  uncertainty.add(at({1.0, 0.0, 0.0}, TrackStatus::kLost));
+  uncertainty.add(at({2.0, 0.0, 0.0}, TrackStatus::kRecovered));
+  uncertainty.add(open_along(0.3, {3.0, 0.0, 0.5}));
+  (void)uncertainty.take();
+  uncertainty.add(at({3.4, 0.0, 0.5}));
+  const MotionCovariance second = uncertainty.take();
+  const MotionCovariance alone = covariance_of({at({}), at({0.4, 0.0, 0.0})});
+  EXPECT_TRUE(second.translation_m2.isApprox(alone.translation_m2, 1e-9));
+  EXPECT_NEAR(second.rotation_rad2, alone.rotation_rad2, 1e-15);
+}
+
+TEST(MotionUncertainty, RefusesWhatIsNoSigma) {
+  EXPECT_THROW(MotionUncertaintyParams{.step_sigma_m = 0.0}.validate(), ParameterError);
+  EXPECT_THROW(MotionUncertaintyParams{.sigma_per_metre = -1.0}.validate(), ParameterError);
+  EXPECT_THROW(MotionUncertaintyParams{.restart_sigma_m = 0.0}.validate(), ParameterError);
+  EXPECT_THROW(MotionUncertaintyParams{.step_sigma_rad = 0.0}.validate(), ParameterError);
+  EXPECT_NO_THROW(kParams.validate());
+}
+
+}  // namespace
+}  // namespace setsquare

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/scan_tracker_params.hpp"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "setsquare/core/error.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+struct BadField {
+  std::string name;
+  std::function<void(ScanTrackerParams&)> spoil;
+};
+
+std::vector<BadField> bad_fields() {
+  using P = ScanTrackerParams;
+  return {
+      {"num_keyframes", [](P& p) { p.num_keyframes = 0; }},
+      {"min_points", [](P& p) { p.min_points = 0; }},
+      {"lost_below_score", [](P& p) { p.lost_below_score = kNan; }},
+      {"refinement.max_iterations", [](P& p) { p.refinement.max_iterations = 0; }},
+      {"refinement.max_iterations", [](P& p) { p.refinement.max_iterations = -3; }},
+      {"corridor.half_range_m", [](P& p) { p.corridor.half_range_m = 0.0; }},
+      {"corridor.half_range_m", [](P& p) { p.corridor.half_range_m = kNan; }},
+      {"corridor.half_range_m", [](P& p) { p.corridor.half_range_m = kInfinity; }},
+      {"corridor.half_range_m", [](P& p) { p.corridor.step_m = 1e-12; }},
+      {"recovery.num_keyframes", [](P& p) { p.recovery.num_keyframes = 0; }},
+      {"recovery.below_score", [](P& p) { p.recovery.below_score = kNan; }},
+      {"recovery.below_score_if_weak", [](P& p) { p.recovery.below_score_if_weak = kNan; }},
+      {"recovery.enough_score", [](P& p) { p.recovery.enough_score = kNan; }},
+      {"recovery.far_min_score", [](P& p) { p.recovery.far_min_score = kInfinity; }},
+      {"recovery.min_gain", [](P& p) { p.recovery.min_gain = -0.1; }},
+      {"recovery.near_m", [](P& p) { p.recovery.near_m = 0.0; }},
+      {"recovery.near_rad", [](P& p) { p.recovery.near_rad = kNan; }},
+  };
+}
+
+TEST(ScanTrackerParams, TheDefaultsAreValid) { EXPECT_NO_THROW(ScanTrackerParams{}.validate()); }
+
+TEST(ScanTrackerParams, ABadFieldIsNamed) {
+  for (const BadField& field : bad_fields()) {
+    ScanTrackerParams params;
+    field.spoil(params);
+    try {
+      params.validate();
+      ADD_FAILURE() << field.name << " passed";
+    } catch (const ParameterError& error) {
+      EXPECT_NE(std::string(error.what()).find(field.name), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace setsquare

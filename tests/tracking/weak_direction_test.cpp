@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/weak_direction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <Eigen/Eigenvalues>
+
+#include "tests/support/seed.hpp"
+
+namespace setsquare {
+namespace {
+
+using testing::make_generator;
+using testing::uniform;
+
+TEST(WeakDirection, EqualsTheEigensolver) {
+  auto generator = make_generator();
+  for (int trial = 0; trial < 200; ++trial) {
+    Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
+    for (int wall = 0; wall < 3; ++wall) {
+      const double angle_rad = uniform(generator, -3.0, 3.0);
+      const Eigen::Vector2d normal(std::cos(angle_rad), std::sin(angle_rad));
+      information += uniform(generator, 0.0, 50.0) * normal * normal.transpose();
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> twin(information);
+    const WeakDirection weak = weak_direction(information);
+    EXPECT_NEAR(weak.effective_points, twin.eigenvalues()(0), 1e-9);
+    EXPECT_NEAR(std::abs(weak.direction.dot(twin.eigenvectors().col(0))), 1.0, 1e-6);
+  }
+}
+
+TEST(WeakDirection, OneWallLeavesItsOwnDirectionFree) {
+  const Eigen::Vector2d normal(0.6, 0.8);
+  const WeakDirection weak = weak_direction(70.0 * normal * normal.transpose());
+  EXPECT_NEAR(weak.effective_points, 0.0, 1e-9);
+  EXPECT_NEAR(weak.direction.dot(normal), 0.0, 1e-12);
+}
+
+}  // namespace
+}  // namespace setsquare
