@@ -78,10 +78,10 @@ void find_circuits(CircuitRun& run, const PaperBuilding& world) {
 }
 
 void map_in_full(const SimulatedRun& simulated, double axis_rad, CircuitRun& run) {
-  const MappedTrack track = track_by_mapper(simulated.scans);
+  const Map track = track_by_mapper(simulated.scans);
   run.mapper = judge_chain(chain_from(track), run, axis_rad);
   run.mapper_errors = map_errors(track, run.truth);
-  const MappedTrack wheeled = track_by_mapper(simulated.scans, sub_seed(run.seed, 2));
+  const Map wheeled = track_by_mapper(simulated.scans, sub_seed(run.seed, 2));
   run.wheeled = judge_chain(chain_from(wheeled), run, axis_rad);
   run.wheeled_errors = map_errors(wheeled, run.truth);
 }

@@ -14,7 +14,7 @@ namespace {
 /// More than this in the final graph bends the map.
 constexpr double kHeavyWeight = 0.3;
 
-std::vector<PosePair> pairs_of(const MappedTrack& track, std::span<const Pose2> truth) {
+std::vector<PosePair> pairs_of(const Map& track, std::span<const Pose2> truth) {
   std::vector<PosePair> pairs;
   pairs.reserve(truth.size());
   for (std::size_t k = 0; k < truth.size(); ++k) {
@@ -23,7 +23,7 @@ std::vector<PosePair> pairs_of(const MappedTrack& track, std::span<const Pose2> 
   return pairs;
 }
 
-ClosureCounts count_closures(const MappedTrack& track, std::span<const Pose2> truth) {
+ClosureCounts count_closures(const Map& track, std::span<const Pose2> truth) {
   ClosureCounts counts;
   for (const MappedClosure& mapped : track.closures) {
     if (!mapped.closure.is_accepted) continue;
@@ -47,7 +47,7 @@ ClosureCounts& ClosureCounts::operator+=(const ClosureCounts& other) {
   return *this;
 }
 
-MapErrors map_errors(const MappedTrack& track, std::span<const Pose2> truth) {
+MapErrors map_errors(const Map& track, std::span<const Pose2> truth) {
   const std::vector<PosePair> pairs = pairs_of(track, truth);
   const auto first = absolute_trajectory_error(pairs, TrajectoryAlignment::kFirst);
   const auto best = absolute_trajectory_error(pairs, TrajectoryAlignment::kBest);

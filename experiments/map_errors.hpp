@@ -6,7 +6,7 @@
 #include <span>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/map/map.hpp"
 
 namespace setsquare::experiments {
 
@@ -38,6 +38,6 @@ struct MapErrors {
 };
 
 /// `truth`: T_map_base, one a scan of the track, of which there is at least one.
-[[nodiscard]] MapErrors map_errors(const MappedTrack& track, std::span<const Pose2> truth);
+[[nodiscard]] MapErrors map_errors(const Map& track, std::span<const Pose2> truth);
 
 }  // namespace setsquare::experiments

@@ -7,8 +7,8 @@
 
 namespace setsquare::experiments {
 
-MappedTrack track_by_mapper(std::span<const SimulatedScan> scans,
-                            std::optional<std::uint64_t> odometry_seed) {
+Map track_by_mapper(std::span<const SimulatedScan> scans,
+                    std::optional<std::uint64_t> odometry_seed) {
   std::optional<OdometryModel> wheels;
   if (odometry_seed) wheels.emplace(OdometryParams{}, *odometry_seed);
   Mapper mapper;

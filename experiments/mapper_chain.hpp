@@ -6,14 +6,14 @@
 #include <optional>
 #include <span>
 
-#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/map/map.hpp"
 #include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
 
 /// The full mapper with its defaults over all scans. With `odometry_seed` it is told besides what
 /// drifting wheels measure (OdometryModel with its defaults).
-[[nodiscard]] MappedTrack track_by_mapper(std::span<const SimulatedScan> scans,
-                                          std::optional<std::uint64_t> odometry_seed = {});
+[[nodiscard]] Map track_by_mapper(std::span<const SimulatedScan> scans,
+                                  std::optional<std::uint64_t> odometry_seed = {});
 
 }  // namespace setsquare::experiments

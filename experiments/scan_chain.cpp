@@ -9,6 +9,7 @@
 #include "setsquare/headings/fusion.hpp"
 #include "setsquare/headings/proposals.hpp"
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 
@@ -131,7 +132,7 @@ ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans) {
   return chain;
 }
 
-ScanChain chain_from(const MappedTrack& track) {
+ScanChain chain_from(const Map& track) {
   ScanChain chain;
   for (const MappedScan& placed : track.scans) {
     chain.T_map_base.push_back(placed.T_map_base);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/map/map.hpp"
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/sim/sensing/simulated_scan.hpp"
 
@@ -52,7 +52,7 @@ struct PaperChains {
 [[nodiscard]] ScanChain chain_by_default_matcher(std::span<const SimulatedScan> scans);
 
 /// What a mapper answered: a scan that tracking lost is unmatched, any other but the first matched.
-[[nodiscard]] ScanChain chain_from(const MappedTrack& track);
+[[nodiscard]] ScanChain chain_from(const Map& track);
 
 /// The relative pose that a chain goes on with: the answer where it is `matched`, else as far as it
 /// binds the motion; the rest is `last_motion`.

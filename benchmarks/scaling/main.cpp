@@ -60,7 +60,7 @@ double measure(const BlockBuildingSize& size, const ScalingOptions& options) {
     mapper.add(simulated.scan, T_wheels_base);
     truth.push_back(simulated.T_map_base);
   }
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   const auto errors = experiments::map_errors(track, truth);
   const double us_a_scan = 1e6 / static_cast<double>(num_scans);
   const MapperTimes& times = mapper.times();

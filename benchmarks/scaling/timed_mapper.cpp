@@ -41,9 +41,9 @@ void TimedMapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_bas
   }
 }
 
-MappedTrack TimedMapper::finish() {
+Map TimedMapper::finish() {
   const Stopwatch stopwatch;
-  MappedTrack track = mapper_.finish();
+  Map track = mapper_.finish();
   times_.finishing_s += stopwatch.processor_s();
   times_.wall_s += stopwatch.wall_s();
   return track;

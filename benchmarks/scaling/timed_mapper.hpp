@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 
 namespace setsquare {
 
@@ -26,7 +27,7 @@ class TimedMapper {
   explicit TimedMapper(const MapperParams& params) : params_(params), mapper_(params) {}
 
   void add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
-  [[nodiscard]] MappedTrack finish();
+  [[nodiscard]] Map finish();
   [[nodiscard]] const MapperTimes& times() const { return times_; }
   [[nodiscard]] std::size_t num_keyframes() const { return num_keyframes_; }
 

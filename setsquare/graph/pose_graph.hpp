@@ -25,6 +25,8 @@ struct Constraint {
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();
   ConstraintKind kind = ConstraintKind::kOdometry;
   double weight = 1.0;  ///< 0 to 1, multiplies the information.
+  /// What the maker of the graph made it of, in the maker's own numbers; no solver looks at it.
+  std::size_t source = 0;
 };
 
 /// A heading measured against the building.

@@ -7,16 +7,11 @@
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/grid/beam_ends.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/grid/placed_scan.hpp"
 #include "setsquare/grid/scan_insertion.hpp"
 #include "setsquare/scan/scan.hpp"
 
 namespace setsquare {
-
-/// A scan where it was taken. The scan is the caller's and must outlive this.
-struct PlacedScan {
-  const Scan* scan = nullptr;
-  Pose2 T_map_sensor;
-};
 
 struct GridFromScansParams {
   double resolution_m = 0.05;    ///< Side of a cell; doubled until max_num_cells suffices.

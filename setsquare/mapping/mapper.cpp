@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "setsquare/core/error.hpp"
-#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/headings/proposals.hpp"
-#include "setsquare/mapping/keyframe_track.hpp"
-#include "setsquare/mapping/mapped_closures.hpp"
+#include "setsquare/mapping/kept_scans.hpp"
+#include "setsquare/mapping/map_assembly.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/track_certainty.hpp"
+#include "setsquare/tracking/scan_tracker.hpp"
 
 namespace setsquare {
 namespace {
@@ -19,10 +21,10 @@ namespace {
 constexpr double kMinRevisitWeight = 0.5;
 /// Tracked motion is made of the scans that registration compares again.
 constexpr double kTrackedMotionWeight = 0.05;
-/// Of the rotation between two pieces that were joined, as matches of scans tell it.
+/// Of the rotation between two pieces that were joined, by matches of scans.
 constexpr double kJointSigma_rad = rad_from_deg(3.0);
 
-/// What the walls said of the headings, as measurements in the map frame.
+/// What the walls measured of the headings, in the map frame.
 std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
   std::vector<HeadingMeasurement> measurements;
   for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
@@ -33,8 +35,8 @@ std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headin
   return measurements;
 }
 
-/// The evidence with what the joints say of the headings: pieces that were joined are turned as a
-/// whole, and the rotation from one to the next is known again.
+/// The evidence with what the joints add to it: pieces that were joined are turned as a whole, and
+/// the rotation from one to the next is known again.
 std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evidence,
                                                 const KeyframeTrack& track,
                                                 const JoinedPieces& joined) {
@@ -51,35 +53,72 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
 
 }  // namespace
 
-void MapperParams::validate() const {
-  tracker.validate();
-  direction.validate();
-  motion.validate();
-  heading.validate();
-  closing.validate();
-  robust.validate();
-  joining.validate();
-  registration.validate();
-  if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");
-  require_not_negative(closing_growth, "closing_growth");
-  require_at_least_one(min_closing_growth, "min_closing_growth");
-}
+class Mapper::Parts {
+ public:
+  explicit Parts(const MapperParams& params)
+      : params_(params),
+        tracker_(params.tracker),
+        uncertainty_(params.motion),
+        closer_(params.closing) {
+    params_.validate();
+  }
 
-Mapper::Mapper(const MapperParams& params)
-    : params_(params),
-      tracker_(params.tracker),
-      uncertainty_(params.motion),
-      closer_(params.closing) {
-  params_.validate();
-}
+  TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+  [[nodiscard]] Map finish() const;
+  [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
-TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+ private:
+  /// The headings and loops of the whole track.
+  struct Closed {
+    FusedHeadings headings;
+    LoopCloser closer;
+    JoinedPieces joined;
+  };
+
+  void add_keyframe(const Scan& scan);
+  /// Tracks of one piece: the loops that are left to close.
+  [[nodiscard]] Closed close_one_piece() const;
+  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops anew.
+  [[nodiscard]] Closed close_across_pieces() const;
+  /// Compares the places of the first `num_keyframes` that the closer has not seen.
+  void close_loops(std::span<const double> headings_rad,
+                   std::size_t num_keyframes,
+                   LoopCloser& closer) const;
+  /// The track laid out along its headings, with the closures accepted so far; the source of a
+  /// closure's constraint is its index in LoopCloser::compared().
+  [[nodiscard]] PoseGraph graph_along(std::span<const double> headings_rad,
+                                      const LoopCloser& closer) const;
+  /// Keyframes at which loops are looked for again.
+  [[nodiscard]] std::size_t next_closing(std::size_t num_closed) const;
+  /// The graph's poses after registration of all keyframes.
+  [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
+                                                    const PoseGraph& graph) const;
+
+  MapperParams params_;
+  ScanTracker tracker_;
+  MotionUncertainty uncertainty_;
+  LoopCloser closer_;
+  std::vector<TrackedScan> scans_;
+  std::size_t num_with_odometry_ = 0;
+  KeptScans kept_;
+  KeyframeTrack track_;
+  std::vector<HeadingEvidence> evidence_;
+  std::size_t num_closed_ = 0;  ///< Keyframes when loops were last looked for.
+};
+
+TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   scan.validate();
   std::optional<Pose2> T_wheels_sensor;
   if (T_wheels_base) T_wheels_sensor = *T_wheels_base * scan.T_base_sensor;
+  num_with_odometry_ += T_wheels_base.has_value();
   const TrackedPose tracked = tracker_.track(scan, T_wheels_sensor);
   uncertainty_.add(tracked);
   scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
+  kept_.add(tracked, [&]() -> std::shared_ptr<const Scan> {
+    if (!tracked.is_keyframe) return std::make_shared<const Scan>(scan);
+    const KeyframePtr& keyframe = tracker_.submap().back();
+    return {keyframe, &keyframe->scan};
+  });
   if (!tracked.is_keyframe) return tracked;
 
   add_keyframe(scan);
@@ -90,7 +129,7 @@ TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_b
   return tracked;
 }
 
-void Mapper::add_keyframe(const Scan& scan) {
+void Mapper::Parts::add_keyframe(const Scan& scan) {
   const TrackedPose& tracked = scans_.back().tracked;
   const bool is_first = track_.keyframes.empty();
   track_.keyframes.push_back(tracker_.submap().back());
@@ -108,18 +147,21 @@ void Mapper::add_keyframe(const Scan& scan) {
        .proposals = heading_proposals(scan, params_.direction, params_.confident_margin)});
 }
 
-PoseGraph Mapper::graph_along(std::span<const double> headings_rad,
-                              const LoopCloser& closer) const {
+PoseGraph Mapper::Parts::graph_along(std::span<const double> headings_rad,
+                                     const LoopCloser& closer) const {
   PoseGraph graph = pose_graph_of(track_, headings_rad);
-  for (const ComparedPlaces& places : closer.compared()) {
-    if (is_accepted(places.verdict.reason)) graph.constraints.push_back(closure_constraint(places));
+  const std::vector<ComparedPlaces>& compared = closer.compared();
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    if (!is_accepted(compared[i].verdict.reason)) continue;
+    graph.constraints.push_back(closure_constraint(compared[i]));
+    graph.constraints.back().source = i;
   }
   return graph;
 }
 
-void Mapper::close_loops(std::span<const double> headings_rad,
-                         std::size_t num_keyframes,
-                         LoopCloser& closer) const {
+void Mapper::Parts::close_loops(std::span<const double> headings_rad,
+                                std::size_t num_keyframes,
+                                LoopCloser& closer) const {
   PoseGraph graph = graph_along(headings_rad, closer);
   const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
   for (std::size_t k = 0; k < positions_m.size(); ++k) {
@@ -129,105 +171,99 @@ void Mapper::close_loops(std::span<const double> headings_rad,
   closer.extend(track_, num_keyframes, graph.T_map_node, params_.num_threads);
 }
 
-std::size_t Mapper::next_closing(std::size_t num_closed) const {
+std::size_t Mapper::Parts::next_closing(std::size_t num_closed) const {
   const auto growth =
       static_cast<std::size_t>(params_.closing_growth * static_cast<double>(num_closed));
   return num_closed + std::max(params_.min_closing_growth, growth);
 }
 
-LoopCloser Mapper::close_across_pieces(FusedHeadings& headings, JoinedPieces& joined) const {
-  const PoseGraph graph = pose_graph_of(track_, headings.heading_rad);
-  joined =
-      join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
-  headings = fuse_headings(evidence_of_joined(evidence_, track_, joined), params_.heading);
-  LoopCloser closer(params_.closing);
-  closer.add_joints(joined.joints);
-  for (std::size_t end = 0; end < track_.size();) {
-    end = std::min(next_closing(end), track_.size());
-    close_loops(headings.heading_rad, end, closer);
-  }
-  return closer;
+Mapper::Parts::Closed Mapper::Parts::close_one_piece() const {
+  Closed closed{.headings = fuse_headings(evidence_, params_.heading),
+                .closer = closer_,
+                .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}}};
+  close_loops(closed.headings.heading_rad, track_.size(), closed.closer);
+  return closed;
 }
 
-MappedTrack Mapper::finish() const {
-  MappedTrack mapped;
-  mapped.headings = fuse_headings(evidence_, params_.heading);
-  if (track_.size() == 0) return assemble(std::move(mapped), closer_, {}, {});
-  const std::vector<double>& headings_rad = mapped.headings.heading_rad;
-  LoopCloser closer = closer_;
-  JoinedPieces joined{.turn_rad = {0.0}, .is_joined = {true}, .joints = {}};
-  if (track_.pieces.back() > 0) {
-    closer = close_across_pieces(mapped.headings, joined);
-  } else {
-    close_loops(headings_rad, track_.size(), closer);
+Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
+  const FusedHeadings apart = fuse_headings(evidence_, params_.heading);
+  const PoseGraph graph = pose_graph_of(track_, apart.heading_rad);
+  JoinedPieces joined =
+      join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
+  Closed closed{
+      .headings = fuse_headings(evidence_of_joined(evidence_, track_, joined), params_.heading),
+      .closer = LoopCloser(params_.closing),
+      .joined = std::move(joined)};
+  closed.closer.add_joints(closed.joined.joints);
+  for (std::size_t end = 0; end < track_.size();) {
+    end = std::min(next_closing(end), track_.size());
+    close_loops(closed.headings.heading_rad, end, closed.closer);
   }
-  PoseGraph graph = graph_along(headings_rad, closer);
-  graph.headings = heading_measurements(mapped.headings);
+  return closed;
+}
+
+Map Mapper::Parts::finish() const {
+  if (track_.size() == 0) {
+    return assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
+  }
+  const Closed closed = track_.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
+  PoseGraph graph = graph_along(closed.headings.heading_rad, closed.closer);
+  graph.headings = heading_measurements(closed.headings);
   if (track_.size() > 1) {
     solve_robustly(graph, {}, params_.robust);
-    register_all(closer, graph);
+    graph.T_map_node = registered_poses(closed.closer, graph);
   }
-  // Neighbours err alike: so many measurements tell no more than one. Registration takes each for
-  // its own, which serves the poses; what is certain is told by this graph.
+  // Neighbours err alike: so many measurements say no more than one. Registration takes each for
+  // its own, which serves the poses; what is certain is taken from this graph.
   for (HeadingMeasurement& heading : graph.headings) {
     heading.information_per_rad2 /= params_.heading.num_alike;
   }
-  return assemble(std::move(mapped), closer, graph, joined);
+  Map map = assemble_map({.scans = scans_,
+                          .kept_scans = kept_.kept(),
+                          .track = track_,
+                          .headings = closed.headings,
+                          .compared = closed.closer.compared(),
+                          .is_joined = closed.joined.is_joined,
+                          .graph = graph});
+  map.num_with_odometry = num_with_odometry_;
+  add_certainty(map);
+  return map;
 }
 
-void Mapper::register_all(const LoopCloser& closer, PoseGraph& graph) const {
-  // Registration compares the places that closures tell again. Beside its own comparisons it relies
-  // on the tracked motion, made of the same scans, for little, and on the other closures.
+std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,
+                                                   const PoseGraph& graph) const {
+  // Registration compares the places that closures name again. Beside its own comparisons it
+  // relies for little on the tracked motion, which is made of the same scans, and on the other
+  // closures.
   PoseGraph to_register{
       .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
   std::vector<Constraint> revisits;
-  std::size_t next = track_.size() - 1;  // behind the tracked motions stand the closures
-  for (std::size_t k = 0; k < next; ++k) {
-    to_register.constraints.push_back(graph.constraints[k]);
-    to_register.constraints.back().weight *= kTrackedMotionWeight;
-  }
-  for (const ComparedPlaces& places : closer.compared()) {
-    if (!is_accepted(places.verdict.reason)) continue;
-    const Constraint& closure = graph.constraints[next++];
-    if (places.verdict.axes == ClosureAxes::kXY && closure.weight >= kMinRevisitWeight) {
-      revisits.push_back(closure);
-    } else {
-      to_register.constraints.push_back(closure);
+  for (const Constraint& constraint : graph.constraints) {
+    const bool is_closure = constraint.kind == ConstraintKind::kLoopClosure;
+    if (is_closure && constraint.weight >= kMinRevisitWeight &&
+        closer.compared()[constraint.source].verdict.axes == ClosureAxes::kXY) {
+      revisits.push_back(constraint);
+      continue;
     }
+    to_register.constraints.push_back(constraint);
+    if (!is_closure) to_register.constraints.back().weight *= kTrackedMotionWeight;
   }
   register_keyframes(track_, revisits, to_register, params_.registration, params_.num_threads);
-  graph.T_map_node = std::move(to_register.T_map_node);
+  return std::move(to_register.T_map_node);
 }
 
-MappedTrack Mapper::assemble(MappedTrack mapped,
-                             const LoopCloser& closer,
-                             const PoseGraph& graph,
-                             const JoinedPieces& joined) const {
-  std::vector<MappedKeyframe> keyframes;
-  for (std::size_t k = 0; k < track_.size(); ++k) {
-    const bool begins_piece = k > 0 && track_.pieces[k] != track_.pieces[k - 1];
-    keyframes.push_back({track_.keyframes[k]->scan_index, graph.T_map_node[k], begins_piece});
-    mapped.keyframes.push_back(track_.keyframes[k]->scan_index);
-  }
-  std::vector<Pose2> T_odom_sensor;
-  T_odom_sensor.reserve(scans_.size());
-  for (const ScanEntry& entry : scans_) T_odom_sensor.push_back(entry.tracked.T_odom_sensor);
-  const std::vector<Pose2> T_map_sensor = assemble_track(T_odom_sensor, keyframes);
-  mapped.scans.reserve(scans_.size());
-  for (std::size_t i = 0; i < scans_.size(); ++i) {
-    const ScanEntry& entry = scans_[i];
-    mapped.scans.push_back({.stamp = entry.stamp,
-                            .status = entry.tracked.status,
-                            .T_map_sensor = T_map_sensor[i],
-                            .T_map_base = T_map_sensor[i] * entry.T_base_sensor.inverse(),
-                            .score = entry.tracked.score,
-                            .effective_points = entry.tracked.weak.effective_points,
-                            .has_odometry = entry.tracked.has_odometry});
-  }
-  mapped.pieces = pieces_of(track_, joined.is_joined, scans_.size());
-  mapped.closures = mapped_closures(track_, closer.compared(), graph);
-  mapped.graph = graph_of_base(track_, graph);
-  return mapped;
+Mapper::Mapper() : Mapper(MapperParams{}) {}
+Mapper::Mapper(const MapperParams& params) : parts_(std::make_unique<Parts>(params)) {}
+Mapper::~Mapper() = default;
+Mapper::Mapper(Mapper&&) noexcept = default;
+Mapper& Mapper::operator=(Mapper&&) noexcept = default;
+
+TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+  return parts_->add(scan, T_wheels_base);
 }
+
+Map Mapper::finish() const { return parts_->finish(); }
+
+std::size_t Mapper::num_scans() const { return parts_->num_scans(); }
 
 }  // namespace setsquare

@@ -3,6 +3,7 @@
 #include "setsquare/mapping/paper_mapper.hpp"
 
 #include <cmath>
+#include <memory>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
@@ -32,14 +33,14 @@ TrackedPose PaperMapper::add(const Scan& scan, PreparedPaperScan current) {
     keyframe_ = std::move(current);
     T_map_keyframe_ = T_map_sensor_;
     num_rejected_ = 0;
-    track_.keyframes.push_back(track_.scans.size());
+    map_.keyframes.push_back(map_.scans.size());
   }
-  track_.scans.push_back({.stamp = scan.stamp,
-                          .status = tracked.status,
-                          .T_map_sensor = T_map_sensor_,
-                          .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
-                          .score = tracked.score,
-                          .effective_points = 0.0});
+  map_.scans.push_back({.stamp = scan.stamp,
+                        .status = tracked.status,
+                        .T_map_sensor = T_map_sensor_,
+                        .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
+                        .score = tracked.score});
+  kept_.add(tracked, [&] { return std::make_shared<const Scan>(scan); });
   return tracked;
 }
 
@@ -83,6 +84,10 @@ double PaperMapper::measured_heading_rad(const PreparedPaperScan& current) const
   return wrap_to_pi(T_map_sensor_.theta_rad + wrap_to_period(change_rad, 0.5 * kPi));
 }
 
-MappedTrack PaperMapper::finish() const { return track_; }
+Map PaperMapper::finish() const {
+  Map map = map_;
+  map.kept_scans = kept_.kept();
+  return map;
+}
 
 }  // namespace setsquare

@@ -6,9 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "setsquare/mapping/mapped_track.hpp"
+#include "setsquare/map/map.hpp"
+#include "setsquare/mapping/kept_scans.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
 
@@ -45,7 +47,7 @@ class PaperMapper {
   TrackedPose add(const Scan& scan, PreparedPaperScan prepared);
 
   /// All poses so far. The map's frame is the first keyframe's, turned by its dominant direction.
-  [[nodiscard]] MappedTrack finish() const;
+  [[nodiscard]] Map finish() const;
 
  private:
   TrackedPose place(const PreparedPaperScan& current);
@@ -57,7 +59,8 @@ class PaperMapper {
   Pose2 T_map_keyframe_;
   Pose2 T_map_sensor_;
   std::size_t num_rejected_ = 0;  ///< In a row.
-  MappedTrack track_;
+  Map map_;
+  KeptScans kept_;
 };
 
 }  // namespace setsquare

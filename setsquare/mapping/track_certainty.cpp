@@ -13,7 +13,7 @@ namespace setsquare {
 namespace {
 
 /// The last keyframe at or before a scan; the first where there is none.
-std::size_t keyframe_before(const MappedTrack& track, std::size_t scan) {
+std::size_t keyframe_before(const Map& track, std::size_t scan) {
   const auto after = std::upper_bound(track.keyframes.begin(), track.keyframes.end(), scan);
   return after == track.keyframes.begin()
              ? 0
@@ -34,7 +34,7 @@ struct PieceNodes {
   bool is_joined = false;
 };
 
-std::vector<PieceNodes> nodes_of_pieces(const MappedTrack& track) {
+std::vector<PieceNodes> nodes_of_pieces(const Map& track) {
   std::vector<PieceNodes> pieces;
   const auto node_at = [&](std::size_t scan) {
     const auto at = std::lower_bound(track.keyframes.begin(), track.keyframes.end(), scan);
@@ -63,7 +63,7 @@ std::vector<std::size_t> spread_nodes(const PieceNodes& piece, std::size_t num) 
 
 /// Sigmas of a piece's scans from those at some of its nodes: straight lines between, constant
 /// before the first and behind the last.
-void interpolate(const MappedTrack& track,
+void interpolate(const Map& track,
                  const PieceNodes& piece,
                  const std::vector<std::size_t>& nodes,
                  const std::vector<double>& of_node_m,
@@ -81,7 +81,7 @@ void interpolate(const MappedTrack& track,
 }
 
 /// A run of degenerate scans: way, and the mean of its displacements modulo pi.
-OpenStretch stretch_from(const MappedTrack& track, std::size_t first, std::size_t end) {
+OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
   OpenStretch stretch{.first_scan = first, .num_scans = end - first, .has_odometry = true};
   double cos_sum = 0.0;
   double sin_sum = 0.0;
@@ -100,7 +100,7 @@ OpenStretch stretch_from(const MappedTrack& track, std::size_t first, std::size_
 }
 
 /// Along the stretch's direction, between the keyframes of its piece before and behind it.
-double length_sigma_m(const MappedTrack& track,
+double length_sigma_m(const Map& track,
                       const PieceNodes& piece,
                       const MarginalCovariance& marginals,
                       const OpenStretch& stretch) {
@@ -117,7 +117,7 @@ double length_sigma_m(const MappedTrack& track,
 
 }  // namespace
 
-std::vector<double> position_sigmas_m(const MappedTrack& track, std::size_t max_num_nodes) {
+std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_nodes) {
   if (track.graph.T_map_node.empty()) return {};
   std::vector<double> of_scan_m(track.scans.size(), std::numeric_limits<double>::infinity());
   std::vector<PieceNodes> joined = nodes_of_pieces(track);
@@ -138,7 +138,7 @@ std::vector<double> position_sigmas_m(const MappedTrack& track, std::size_t max_
   return of_scan_m;
 }
 
-std::vector<OpenStretch> open_stretches(const MappedTrack& track, double min_way_m) {
+std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m) {
   std::vector<OpenStretch> stretches;
   const std::size_t n = track.scans.size();
   for (std::size_t first = 0; first < n;) {
@@ -161,6 +161,12 @@ std::vector<OpenStretch> open_stretches(const MappedTrack& track, double min_way
     stretch.length_sigma_m = length_sigma_m(track, *of_stretch, marginals, stretch);
   }
   return stretches;
+}
+
+void add_certainty(Map& map) {
+  const std::vector<double> sigmas_m = position_sigmas_m(map);
+  for (std::size_t i = 0; i < sigmas_m.size(); ++i) map.scans[i].position_sigma_m = sigmas_m[i];
+  map.open_stretches = open_stretches(map);
 }
 
 }  // namespace setsquare

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/tracking/scan_tracker.hpp"
+#include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
 

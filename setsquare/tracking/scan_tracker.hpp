@@ -11,26 +11,9 @@
 #include "setsquare/tracking/scan_gap.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
+#include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
-
-enum class TrackStatus {
-  kTracked,     ///< The walls determine the pose.
-  kDegenerate,  ///< They do not along one direction; there the prediction stands in.
-  kRecovered,   ///< Tracking had lost the scan; the search all around found it again.
-  kLost,        ///< Not found: the pose is the predicted one.
-};
-
-/// A scan placed by tracking, with its evidence.
-struct TrackedPose {
-  TrackStatus status = TrackStatus::kTracked;
-  Pose2 T_odom_sensor;
-  bool is_keyframe = false;
-  bool is_restart = false;    ///< Lost for so long that the submap begins anew with this scan.
-  bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
-  double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
-  WeakDirection weak;  ///< In the odom frame.
-};
 
 /// Places scan after scan against a submap of the latest keyframes.
 ///

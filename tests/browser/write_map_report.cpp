@@ -6,13 +6,13 @@
 #include <cstddef>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/report/map/page.hpp"
-#include "setsquare/scan/scan_to_points.hpp"
 #include "tests/support/walled_world.hpp"
 
 namespace setsquare {
@@ -38,35 +38,35 @@ Scan scan_at(const Pose2& T_map_base) {
   return testing::scan_of_walls(testing::l_shaped_room(), T_map_base, all_around);
 }
 
-ReportPose report_pose(int pose) {
-  ReportPose row = {stamp_of(pose), pose_of(pose)};
-  row.sigma_m = pose >= 90 && pose < 130 ? 0.3 : 0.01;
-  if (pose >= 40 && pose < 50) row.condition = ReportCondition::kDegenerate;
-  if (pose >= 160 && pose < 165) row.condition = ReportCondition::kLost;
-  if (pose == 165) row.condition = ReportCondition::kRecovered;
-  return row;
+MappedScan mapped_scan(int pose) {
+  MappedScan scan;
+  scan.stamp = stamp_of(pose);
+  scan.T_map_base = scan.T_map_sensor = pose_of(pose);
+  scan.position_sigma_m = pose >= 90 && pose < 130 ? 0.3 : 0.01;
+  if (pose >= 40 && pose < 50) scan.status = TrackStatus::kDegenerate;
+  if (pose >= 160 && pose < 165) scan.status = TrackStatus::kLost;
+  if (pose == 165) scan.status = TrackStatus::kRecovered;
+  return scan;
 }
 
-ReportHeading report_heading(int pose) {
+MappedHeading heading_of(int pose) {
   const double heading_rad = pose_of(pose).theta_rad;
-  ReportHeading row;
-  row.stamp = stamp_of(pose);
-  row.measured_rad = wrap_to_pi(heading_rad + 0.01 * std::sin(pose) + 0.5 * kPi * (pose % 4));
-  row.frame = pose < kPosesPerRound ? 0 : 1;
-  row.weight = 1.0;
-  row.fused_rad = heading_rad;
-  row.tracked_rad = heading_rad + 0.002 * pose;
-  return row;
+  return {.tracked_rad = heading_rad + 0.002 * pose,
+          .measured_rad = wrap_to_pi(heading_rad + 0.01 * std::sin(pose) + 0.5 * kPi * (pose % 4)),
+          .weight = 1.0,
+          .frame = pose < kPosesPerRound ? 0U : 1U};
 }
 
-/// A closure of the scans taken at the same place of the first and the second round.
-ReportClosure closure_of(const std::vector<ReportScan>& scans, std::size_t place) {
-  ReportClosure row;
-  row.scan_i = place;
-  row.scan_j = place + kPosesPerRound / kPosesPerScan;
-  row.closure.stamp_i = scans[row.scan_i].stamp;
-  row.closure.stamp_j = scans[row.scan_j].stamp;
-  row.closure.T_i_j = scans[row.scan_i].T_map_base.inverse() * scans[row.scan_j].T_map_base;
+/// A closure of the kept scans taken at the same place of the first and the second round.
+MappedClosure closure_of(const Map& map, std::size_t place) {
+  MappedClosure row;
+  row.scan_i = map.kept_scans[place].index;
+  row.scan_j = map.kept_scans[place + kPosesPerRound / kPosesPerScan].index;
+  const MappedScan& scan_i = map.scans[row.scan_i];
+  const MappedScan& scan_j = map.scans[row.scan_j];
+  row.closure.stamp_i = scan_i.stamp;
+  row.closure.stamp_j = scan_j.stamp;
+  row.closure.T_i_j = scan_i.T_map_base.inverse() * scan_j.T_map_base;
   row.closure.is_accepted = true;
   row.closure.weight = 1.0;
   row.closure.reason = "verified <by> \"hand\" & eye";
@@ -74,70 +74,65 @@ ReportClosure closure_of(const std::vector<ReportScan>& scans, std::size_t place
 }
 
 /// 0 right, 1 along x only, 2 right, 3 outvoted, 4 and 5 refused and 0.8 m off.
-std::vector<ReportClosure> closures_of(const std::vector<ReportScan>& scans) {
-  std::vector<ReportClosure> closures;
+void add_closures(Map& map) {
   for (const std::size_t place : {2U, 6U, 10U, 14U, 18U, 22U}) {
-    closures.push_back(closure_of(scans, place));
+    map.closures.push_back(closure_of(map, place));
   }
-  closures[1].closure.axes = ClosureAxes::kX;
-  closures[3].closure.weight = 0.1;
+  map.closures[1].closure.axes = ClosureAxes::kX;
+  map.closures[3].closure.weight = 0.1;
   for (const std::size_t wrong : {4U, 5U}) {
-    LoopClosure& closure = closures[wrong].closure;
+    LoopClosure& closure = map.closures[wrong].closure;
     closure.T_i_j = closure.T_i_j * Pose2{0.6, 0.53, 0.2};
     closure.is_accepted = false;
     closure.weight = 0.0;
     closure.reason = "contradicted";
   }
-  return closures;
 }
 
-MapReport report_of_room(const OccupancyGrid& grid, const std::vector<Scan>& scans) {
-  MapReport report;
-  report.title = "Room </script><b id=\"injected\">\"1\"</b> & <!-- more";
-  report.grid = &grid;
+Map map_of_room() {
+  Map map;
   for (int pose = 0; pose < kNumPoses; ++pose) {
-    report.poses.push_back(report_pose(pose));
-    if (pose % 2 == 0) report.headings.push_back(report_heading(pose));
+    const auto index = static_cast<std::size_t>(pose);
+    map.scans.push_back(mapped_scan(pose));
+    if (pose % kPosesPerScan == 0) {
+      map.kept_scans.push_back({index, std::make_shared<Scan>(scan_at(pose_of(pose)))});
+    }
+    if (pose % 2 != 0) continue;
+    map.keyframes.push_back(index);
+    map.headings.push_back(heading_of(pose));
   }
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    const int pose = kPosesPerScan * static_cast<int>(i);
-    report.scans.push_back({stamp_of(pose), pose_of(pose), points_from_scan(scans[i])});
-  }
-  report.closures = closures_of(report.scans);
-  report.frame_headings_rad = {0.0, rad_from_deg(30.0)};
-  report.figures = {{"Track", "scans", "240", "", "Sweeps <of> the laser."},
-                    {"Map", "cell", "5", "cm", ""}};
-  return report;
+  add_closures(map);
+  map.frames = {{.offset_rad = 0.0}, {.offset_rad = rad_from_deg(30.0)}};
+  return map;
 }
 
 void write_pages(const std::string& folder) {
-  std::vector<Scan> scans;
+  const Map map = map_of_room();
   std::vector<PlacedScan> placed;
-  for (int pose = 0; pose < kNumPoses; pose += kPosesPerScan)
-    scans.push_back(scan_at(pose_of(pose)));
-  for (std::size_t i = 0; i < scans.size(); ++i) {
-    placed.push_back({&scans[i], pose_of(kPosesPerScan * static_cast<int>(i))});
+  for (const KeptScan& kept : map.kept_scans) {
+    placed.push_back({kept.scan.get(), map.scans[kept.index].T_map_sensor});
   }
   const OccupancyGrid grid = grid_from_scans(placed);
-  const MapReport room = report_of_room(grid, scans);
-  save_file(folder + "/room.html", map_report_html(room));
+  const std::vector<ReportFigure> figures = {
+      {"Track", "scans", "240", "", "Sweeps <of> the laser."}, {"Map", "cell", "5", "cm", ""}};
+  const std::string title = "Room </script><b id=\"injected\">\"1\"</b> & <!-- more";
+  const auto save = [&](const std::string& name, const MapReport& report) {
+    save_file(folder + "/" + name, map_report_html(report));
+  };
+  save("room.html", {.title = title, .map = map, .grid = &grid, .figures = figures});
 
   // The same room in a grid whose rows run at 20 degrees in the map: it stands askew.
-  const OccupancyGrid askew_grid = grid_from_scans(placed, rad_from_deg(20.0));
-  MapReport askew = room;
-  askew.grid = &askew_grid;
-  save_file(folder + "/askew.html", map_report_html(askew));
+  const OccupancyGrid askew = grid_from_scans(placed, rad_from_deg(20.0));
+  save("askew.html", {.title = title, .map = map, .grid = &askew, .figures = figures});
 
-  MapReport bare;
-  bare.title = "Nothing";
-  save_file(folder + "/bare.html", map_report_html(bare));
+  save("bare.html", {.title = "Nothing", .map = {}});
 
   const OccupancyGrid unknown({}, 0.05, 40, 40);
-  MapReport single;
-  single.title = "One pose";
-  single.grid = &unknown;
-  single.poses = {{stamp_of(0), pose_of(0)}};  // Its confidence is not known.
-  save_file(folder + "/single.html", map_report_html(single));
+  Map single;  // Its confidence is not known.
+  single.scans.resize(1);
+  single.scans[0].stamp = stamp_of(0);
+  single.scans[0].T_map_base = single.scans[0].T_map_sensor = pose_of(0);
+  save("single.html", {.title = "One pose", .map = single, .grid = &unknown});
 }
 
 }  // namespace

@@ -18,6 +18,7 @@
 #include "setsquare/headings/fusion.hpp"
 #include "setsquare/headings/proposals.hpp"
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/sim/building/building.hpp"
 #include "setsquare/sim/sensing/ray_casting.hpp"
 #include "setsquare/sim/sensing/robot_path.hpp"

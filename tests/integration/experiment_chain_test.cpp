@@ -152,8 +152,8 @@ MappedClosure closure_between(std::size_t i, std::size_t j, const Pose2& T_i_j, 
   return mapped;
 }
 
-MappedTrack track_along(const std::vector<Pose2>& poses) {
-  MappedTrack track;
+Map track_along(const std::vector<Pose2>& poses) {
+  Map track;
   for (const Pose2& pose : poses) {
     MappedScan scan;
     scan.T_map_base = pose;
@@ -181,7 +181,7 @@ TEST(MapErrors, OfAMapInAnotherFrameAreThoseOfItsShape) {
 
 TEST(MapErrors, ClosuresAreJudgedAlongTheAxesThatTheyBind) {
   const std::vector<Pose2> truth = square_track(0.0);
-  MappedTrack track = track_along(truth);
+  Map track = track_along(truth);
   const Pose2 T_i_j = truth[2].inverse() * truth[80];
   const Pose2 off{T_i_j.x_m + 0.4, T_i_j.y_m, T_i_j.theta_rad};
   track.closures.push_back(closure_between(2, 80, T_i_j, ClosureAxes::kXY));

@@ -16,6 +16,7 @@
 #include "setsquare/io/logs/open_log.hpp"
 #include "setsquare/io/tables/relations.hpp"
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "tests/support/data_dir.hpp"
 
 namespace setsquare {
@@ -38,11 +39,11 @@ std::optional<Recording> recording(const std::string& name) {
 }
 
 /// Maps a log without the scans [left_out_from, left_out_to).
-MappedTrack map_log(const std::string& path,
-                    bool uses_odometry,
-                    std::size_t num_threads = 1,
-                    std::size_t left_out_from = 0,
-                    std::size_t left_out_to = 0) {
+Map map_log(const std::string& path,
+            bool uses_odometry,
+            std::size_t num_threads = 1,
+            std::size_t left_out_from = 0,
+            std::size_t left_out_to = 0) {
   MapperParams params;
   params.num_threads = num_threads;
   Mapper mapper(params);
@@ -56,7 +57,7 @@ MappedTrack map_log(const std::string& path,
   return mapper.finish();
 }
 
-Trajectory trajectory_of(const MappedTrack& track) {
+Trajectory trajectory_of(const Map& track) {
   Trajectory trajectory;
   for (const MappedScan& scan : track.scans) trajectory.push_back({scan.stamp, scan.T_map_base});
   return trajectory;
@@ -85,7 +86,7 @@ TEST_P(MapRealLog, AgreesWithTheRelationsAndClosesNothingWrongly) {
   const RealLog& log = GetParam();
   const auto data = recording(log.name);
   if (!data) GTEST_SKIP() << log.name << " is not there";
-  const MappedTrack track = map_log(data->log_path, log.uses_odometry);
+  const Map track = map_log(data->log_path, log.uses_odometry);
   const Trajectory trajectory = trajectory_of(track);
 
   const RelationErrorReport report = relation_error(trajectory, data->relations);
@@ -120,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(Logs,
 TEST(MapRealLogs, AHoleInTheLogIsBridgedByThePlacesSeenAgain) {
   const auto data = recording("intel");
   if (!data) GTEST_SKIP() << "intel is not there";
-  const MappedTrack track = map_log(data->log_path, false, 1, 6000, 6600);
+  const Map track = map_log(data->log_path, false, 1, 6000, 6600);
   ASSERT_EQ(track.pieces.size(), 2U) << "nobody knows how the robot moved in a minute";
   EXPECT_TRUE(track.pieces[0].is_joined && track.pieces[1].is_joined);
   const RelationErrorReport report = relation_error(trajectory_of(track), data->relations);
@@ -133,8 +134,8 @@ TEST(MapRealLogs, WhereTheWheelsAreWrongForAScanTheWallsHoldIt) {
   const std::string path =
       "/usr/share/mrpt/datasets/2006-01ENE-21-SENA_Telecom Faculty_one_loop_only.rawlog";
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "mrpt-common is not installed";
-  const MappedTrack with = map_log(path, true);
-  const MappedTrack without = map_log(path, false);
+  const Map with = map_log(path, true);
+  const Map without = map_log(path, false);
   ASSERT_EQ(with.scans.size(), without.scans.size());
   for (std::size_t i = 0; i < with.scans.size(); ++i) {
     EXPECT_EQ(with.scans[i].status, TrackStatus::kTracked) << i;
@@ -148,8 +149,8 @@ TEST(MapRealLogs, WhereTheWheelsAreWrongForAScanTheWallsHoldIt) {
 TEST(MapRealLogs, AnyNumberOfThreadsGivesTheSamePoses) {
   const auto data = recording("aces");
   if (!data) GTEST_SKIP() << "aces is not there";
-  const MappedTrack one = map_log(data->log_path, true, 1);
-  const MappedTrack three = map_log(data->log_path, true, 3);
+  const Map one = map_log(data->log_path, true, 1);
+  const Map three = map_log(data->log_path, true, 3);
   ASSERT_EQ(one.scans.size(), three.scans.size());
   for (std::size_t i = 0; i < one.scans.size(); ++i) {
     ASSERT_EQ(one.scans[i].T_map_base, three.scans[i].T_map_base) << i;

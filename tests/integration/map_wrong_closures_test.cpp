@@ -41,7 +41,7 @@ constexpr double kScanPeriod_s = 0.4;
 using ErrorOf = std::function<double(const PoseGraph&)>;
 
 /// All scans of a mapped log, laid out between its keyframes as a graph has them.
-Trajectory trajectory_by(const MappedTrack& track, const PoseGraph& graph) {
+Trajectory trajectory_by(const Map& track, const PoseGraph& graph) {
   std::vector<Pose2> T_map_base;
   for (const MappedScan& scan : track.scans) T_map_base.push_back(scan.T_map_base);
   std::vector<MappedKeyframe> keyframes;
@@ -98,7 +98,7 @@ Injected solve_with(const PoseGraph& own,
 /// A log, its map, and how wrong a graph of it is.
 struct JudgedMap {
   std::string name;
-  MappedTrack track;
+  Map track;
   ErrorOf error_of;
 };
 

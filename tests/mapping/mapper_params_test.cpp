@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // Every bad field of the structs below reaches the mapper's own validate(), by its name.
+#include "setsquare/mapping/mapper_params.hpp"
+
 #include <gtest/gtest.h>
 
 #include <functional>

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
@@ -36,7 +37,7 @@ struct LogWithHoles {
   std::vector<std::size_t> begins;  ///< First scans of the drives.
 };
 
-MappedTrack map_of(const LogWithHoles& log, const MapperParams& params, bool has_odometry = false) {
+Map map_of(const LogWithHoles& log, const MapperParams& params, bool has_odometry = false) {
   Mapper mapper(params);
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     mapper.add(log.scans[i], has_odometry ? std::optional(log.truth[i]) : std::nullopt);
@@ -64,7 +65,7 @@ LogWithHoles carried_elsewhere() {
 }
 
 /// Every fifth of some scans lies where it lies in truth, seen from another scan.
-void expect_true_poses(const MappedTrack& track,
+void expect_true_poses(const Map& track,
                        const LogWithHoles& log,
                        std::size_t from,
                        std::size_t begin,
@@ -79,7 +80,7 @@ void expect_true_poses(const MappedTrack& track,
 
 TEST(MapperPieces, AreJoinedWhereTheirWaysOverlap) {
   const LogWithHoles log = carried_away_and_back();
-  const MappedTrack track = map_of(log, {});
+  const Map track = map_of(log, {});
   ASSERT_EQ(track.pieces.size(), 3U);
   EXPECT_TRUE(track.pieces[0].is_joined);
   EXPECT_FALSE(track.pieces[1].is_joined);
@@ -90,7 +91,7 @@ TEST(MapperPieces, AreJoinedWhereTheirWaysOverlap) {
 
 TEST(MapperPieces, WithoutOverlapItIsToldThatNobodyKnows) {
   const LogWithHoles log = carried_elsewhere();
-  const MappedTrack track = map_of(log, {});
+  const Map track = map_of(log, {});
   ASSERT_EQ(track.pieces.size(), 2U);
   EXPECT_TRUE(track.pieces[0].is_joined);
   EXPECT_FALSE(track.pieces[1].is_joined);
@@ -115,7 +116,7 @@ TEST(MapperPieces, OdometryTiesThem) {
   for (std::size_t i = log.begins[1]; i < log.truth.size(); ++i) {
     log.truth[i] = Pose2{30.0, 5.0, 0.0} * log.truth[i];
   }
-  const MappedTrack track = map_of(log, {}, true);
+  const Map track = map_of(log, {}, true);
   ASSERT_EQ(track.pieces.size(), 1U);
   EXPECT_TRUE(track.pieces[0].is_joined);
   for (std::size_t i = 0; i < log.truth.size(); i += 5) {
@@ -133,7 +134,7 @@ TEST(MapperPieces, OdometryThatBeginsBehindTheHoleTiesNothing) {
   for (std::size_t i = 0; i < log.scans.size(); ++i) {
     mapper.add(log.scans[i], i >= restart ? std::optional(log.truth[i]) : std::nullopt);
   }
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   ASSERT_EQ(track.pieces.size(), 2U);
   EXPECT_EQ(track.pieces[1].first_scan, restart);
   EXPECT_FALSE(track.scans[restart].has_odometry) << "nothing tells where it was before";
@@ -144,8 +145,8 @@ TEST(MapperPieces, ManyThreadsGiveTheSameBits) {
   const LogWithHoles log = carried_away_and_back();
   MapperParams with_three;
   with_three.num_threads = 3;
-  const MappedTrack one = map_of(log, {});
-  const MappedTrack three = map_of(log, with_three);
+  const Map one = map_of(log, {});
+  const Map three = map_of(log, with_three);
   ASSERT_EQ(one.scans.size(), three.scans.size());
   for (std::size_t i = 0; i < one.scans.size(); ++i) {
     ASSERT_EQ(one.scans[i].T_map_base, three.scans[i].T_map_base) << i;
@@ -161,8 +162,8 @@ TEST(MapperPieces, FinishingTwiceTellsTheSame) {
   const LogWithHoles log = carried_away_and_back();
   Mapper mapper;
   for (const Scan& scan : log.scans) mapper.add(scan);
-  const MappedTrack first = mapper.finish();
-  const MappedTrack second = mapper.finish();
+  const Map first = mapper.finish();
+  const Map second = mapper.finish();
   ASSERT_EQ(first.scans.size(), second.scans.size());
   for (std::size_t i = 0; i < first.scans.size(); ++i) {
     ASSERT_EQ(first.scans[i].T_map_base, second.scans[i].T_map_base);
@@ -179,7 +180,7 @@ TEST(MapperPieces, ARobotThatStandsKeepsOneKeyframe) {
        scans_on_drive(walls, std::vector<Pose2>(400, {2.0, 3.0, 0.4}), kNoise_m)) {
     mapper.add(scan);
   }
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   EXPECT_EQ(track.scans.size(), 400U);
   EXPECT_EQ(track.keyframes.size(), 1U);
 }

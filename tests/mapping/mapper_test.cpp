@@ -9,8 +9,9 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/tracking/simulated_drive.hpp"
 
 namespace setsquare {
 namespace {
@@ -39,7 +40,7 @@ class MapperInRoom : public ::testing::Test {
 };
 
 TEST_F(MapperInRoom, MapsEveryScanInOrder) {
-  const MappedTrack track = mapper_.finish();
+  const Map track = mapper_.finish();
   ASSERT_EQ(track.scans.size(), scans_.size());
   for (std::size_t i = 0; i < scans_.size(); ++i) {
     ASSERT_EQ(track.scans[i].stamp, scans_[i].stamp);
@@ -54,7 +55,7 @@ TEST_F(MapperInRoom, MapsEveryScanInOrder) {
 
 TEST_F(MapperInRoom, TheMapStandsSquare) {
   // The room's walls run along the axes of the world; so must they in the map.
-  const MappedTrack track = mapper_.finish();
+  const Map track = mapper_.finish();
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     const double error_rad =
         wrap_to_period(track.scans[i].T_map_sensor.theta_rad - truth_[i].theta_rad, 0.5 * kPi);
@@ -65,8 +66,8 @@ TEST_F(MapperInRoom, TheMapStandsSquare) {
 TEST_F(MapperInRoom, SameScansSameBits) {
   Mapper again;
   for (const Scan& scan : scans_) again.add(scan);
-  const MappedTrack first = mapper_.finish();
-  const MappedTrack second = again.finish();
+  const Map first = mapper_.finish();
+  const Map second = again.finish();
   for (std::size_t i = 0; i < first.scans.size(); ++i) {
     ASSERT_EQ(first.scans[i].T_map_sensor, second.scans[i].T_map_sensor);
   }
@@ -84,16 +85,16 @@ TEST_F(MapperInRoom, FinishingDoesNotDisturbWhatFollows) {
 }
 
 TEST_F(MapperInRoom, TheGraphCountsHeadingsThatErrAlikeOnce) {
-  const MappedTrack track = mapper_.finish();
+  const Map track = mapper_.finish();
   ASSERT_FALSE(track.graph.headings.empty());
   for (const HeadingMeasurement& heading : track.graph.headings) {
     EXPECT_DOUBLE_EQ(heading.information_per_rad2 * MapperParams{}.heading.num_alike,
-                     track.headings.measured_information[heading.node]);
+                     track.headings[heading.node].information_per_rad2);
   }
 }
 
 TEST(Mapper, NoScansNoTrack) {
-  const MappedTrack track = Mapper().finish();
+  const Map track = Mapper().finish();
   EXPECT_TRUE(track.scans.empty());
   EXPECT_TRUE(track.keyframes.empty());
 }
@@ -105,7 +106,7 @@ TEST(Mapper, ScansThatSeeNothingArePlacedAndCalledLost) {
   blind.max_range_m = 50.0;
   blind.ranges_m.assign(180, 81.83);
   for (int i = 0; i < 20; ++i) mapper.add(blind);
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   ASSERT_EQ(track.scans.size(), 20U);
   for (const MappedScan& mapped : track.scans) EXPECT_EQ(mapped.status, TrackStatus::kLost);
   EXPECT_TRUE(track.keyframes.empty());

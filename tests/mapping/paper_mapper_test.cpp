@@ -9,8 +9,8 @@
 #include <limits>
 #include <vector>
 
-#include "tests/tracking/simulated_drive.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/tracking/simulated_drive.hpp"
 
 namespace setsquare {
 namespace {
@@ -37,7 +37,7 @@ TEST(PaperMapper, FollowsAWayThroughARoom) {
   for (const Scan& scan : scans_on_drive(l_shaped_room(), truth, 0.01, papers_fan())) {
     mapper.add(scan);
   }
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   ASSERT_EQ(track.scans.size(), truth.size());
   for (std::size_t i = 0; i < truth.size(); ++i) {
     ASSERT_EQ(track.scans[i].status, TrackStatus::kTracked) << i;
@@ -55,7 +55,7 @@ TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
   scans[4].ranges_m.assign(1081, 81.83);
   PaperMapper mapper;
   for (const Scan& scan : scans) mapper.add(scan);
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   EXPECT_EQ(track.scans[4].status, TrackStatus::kLost);
   EXPECT_EQ(track.scans[4].T_map_sensor, track.scans[3].T_map_sensor);
   EXPECT_EQ(track.scans[5].status, TrackStatus::kTracked);
@@ -72,7 +72,7 @@ TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
   const auto num_wrong_turns = [&](const PaperMapperParams& params) {
     PaperMapper mapper(params);
     for (const Scan& scan : scans_on_drive(room, truth, 0.01, papers_fan())) mapper.add(scan);
-    const MappedTrack track = mapper.finish();
+    const Map track = mapper.finish();
     int count = 0;
     for (std::size_t k = 1; k < truth.size(); ++k) {
       const double turn_rad =
@@ -94,7 +94,7 @@ TEST(PaperMapper, AfterRejectedScansTheWallsTellTheHeading) {
   const auto corridor = testing::bare_corridor();
   mapper.add(scan_of_walls(corridor, {0.0, 0.1, rad_from_deg(17.0)}, papers_fan()));
   mapper.add(scan_of_walls(corridor, {0.0, 0.1, rad_from_deg(27.0)}, papers_fan()));
-  const MappedTrack track = mapper.finish();
+  const Map track = mapper.finish();
   ASSERT_EQ(track.scans[1].status, TrackStatus::kLost);
   ASSERT_EQ(track.scans[2].status, TrackStatus::kLost);
   EXPECT_EQ(track.keyframes, (std::vector<std::size_t>{0, 2}));
@@ -119,7 +119,7 @@ TEST(PaperMapper, BlankScansCostNoOther) {
       EXPECT_EQ(tracked.status == TrackStatus::kLost, is_blank) << i;
       EXPECT_FALSE(is_blank && tracked.is_keyframe) << i;
     }
-    const MappedTrack track = mapper.finish();
+    const Map track = mapper.finish();
     EXPECT_EQ(track.keyframes.front(), first == 0 ? 12U : 0U);
     EXPECT_THAT(
         between(track.scans[track.keyframes.front()].T_map_sensor, track.scans.back().T_map_sensor),

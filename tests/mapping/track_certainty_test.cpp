@@ -40,7 +40,7 @@ std::vector<Wall> rooms_and_corridor() {
 }
 
 /// A robot drives from room to room; what is farther than 8 m gives no return.
-MappedTrack map_of_corridor(bool has_odometry) {
+Map map_of_corridor(bool has_odometry) {
   const std::vector<Pose2> truth = drive({{1.0, 2.0}, {37.0, 2.0}});
   std::vector<Scan> scans = scans_on_drive(rooms_and_corridor(), truth, 0.005);
   Mapper mapper;
@@ -54,7 +54,7 @@ MappedTrack map_of_corridor(bool has_odometry) {
 }
 
 TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
-  const MappedTrack track = map_of_corridor(false);
+  const Map track = map_of_corridor(false);
   const std::vector<OpenStretch> stretches = open_stretches(track);
   ASSERT_FALSE(stretches.empty());
   double way_m = 0.0;
@@ -72,20 +72,20 @@ TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
 }
 
 TEST(TrackCertainty, OdometryTellsTheLength) {
-  const auto worst_sigma_m = [](const MappedTrack& track) {
+  const auto worst_sigma_m = [](const Map& track) {
     double worst_m = 0.0;
     for (const OpenStretch& stretch : open_stretches(track)) {
       worst_m = std::max(worst_m, stretch.length_sigma_m);
     }
     return worst_m;
   };
-  const MappedTrack with = map_of_corridor(true);
+  const Map with = map_of_corridor(true);
   EXPECT_LT(worst_sigma_m(with), 0.5 * worst_sigma_m(map_of_corridor(false)));
   for (const OpenStretch& stretch : open_stretches(with)) EXPECT_TRUE(stretch.has_odometry);
 }
 
 TEST(TrackCertainty, PositionsGrowUncertainAlongTheCorridor) {
-  const MappedTrack track = map_of_corridor(false);
+  const Map track = map_of_corridor(false);
   const std::vector<double> sigmas_m = position_sigmas_m(track);
   ASSERT_EQ(sigmas_m.size(), track.scans.size());
   EXPECT_LT(sigmas_m.front(), 0.01);
@@ -96,7 +96,7 @@ TEST(TrackCertainty, PositionsGrowUncertainAlongTheCorridor) {
 }
 
 TEST(TrackCertainty, OfPiecesThatAreNotJoinedNothingIsKnown) {
-  MappedTrack track = map_of_corridor(false);
+  Map track = map_of_corridor(false);
   const std::size_t middle = track.scans.size() / 2;
   track.pieces = {{0, middle, true}, {middle, track.scans.size() - middle, false}};
   const std::vector<double> sigmas_m = position_sigmas_m(track);
@@ -107,8 +107,8 @@ TEST(TrackCertainty, OfPiecesThatAreNotJoinedNothingIsKnown) {
 
 /// A graph whose answer is known: every step along x is as certain as the next one, headings are
 /// exact, and each step to the next piece is off by `gap_sigma_m`. Each keyframe has two scans.
-MappedTrack chain_of_pieces(const std::vector<TrackPiece>& pieces, double gap_sigma_m) {
-  MappedTrack track;
+Map chain_of_pieces(const std::vector<TrackPiece>& pieces, double gap_sigma_m) {
+  Map track;
   track.pieces = pieces;
   for (const TrackPiece& piece : pieces) {
     for (std::size_t scan = piece.first_scan; scan < piece.first_scan + piece.num_scans;
@@ -130,7 +130,7 @@ MappedTrack chain_of_pieces(const std::vector<TrackPiece>& pieces, double gap_si
 
 TEST(TrackCertainty, BoundsTheNumberOfNodesAndReachesTheLastOne) {
   for (const std::size_t num_nodes : {2U, 3U, 48U, 49U, 95U, 96U, 300U}) {
-    const MappedTrack track = chain_of_pieces({{0, 2 * num_nodes, true}}, 0.0);
+    const Map track = chain_of_pieces({{0, 2 * num_nodes, true}}, 0.0);
     for (const std::size_t max_num_nodes : {2U, 7U, 48U}) {
       const std::vector<double> sigmas_m = position_sigmas_m(track, max_num_nodes);
       // The sigmas, a root along the chain, bend where a node was asked.
@@ -149,8 +149,7 @@ TEST(TrackCertainty, BoundsTheNumberOfNodesAndReachesTheLastOne) {
 
 TEST(TrackCertainty, BetweenPiecesItJumps) {
   constexpr double kGapSigma_m = 2.0;
-  const MappedTrack track =
-      chain_of_pieces({{0, 150, true}, {150, 40, true}, {190, 2, true}}, kGapSigma_m);
+  const Map track = chain_of_pieces({{0, 150, true}, {150, 40, true}, {190, 2, true}}, kGapSigma_m);
   for (const std::size_t max_num_nodes : {2U, 6U, 48U, 1000U}) {
     const std::vector<double> sigmas_m = position_sigmas_m(track, max_num_nodes);
     EXPECT_NEAR(sigmas_m[149], kStepSigma_m * std::sqrt(74.0), 1e-4);
@@ -162,8 +161,7 @@ TEST(TrackCertainty, BetweenPiecesItJumps) {
 }
 
 TEST(TrackCertainty, CountsFromTheFirstKeyframeThatIsJoined) {
-  const MappedTrack track =
-      chain_of_pieces({{0, 20, false}, {20, 200, true}, {220, 10, false}}, 200.0);
+  const Map track = chain_of_pieces({{0, 20, false}, {20, 200, true}, {220, 10, false}}, 200.0);
   const std::vector<double> sigmas_m = position_sigmas_m(track);
   EXPECT_TRUE(std::isinf(sigmas_m[19]));
   EXPECT_NEAR(sigmas_m[20], 0.0, 1e-9);
@@ -172,7 +170,7 @@ TEST(TrackCertainty, CountsFromTheFirstKeyframeThatIsJoined) {
 }
 
 TEST(TrackCertainty, AStretchEndsWithItsPiece) {
-  MappedTrack track = chain_of_pieces({{0, 100, true}, {100, 60, true}}, 200.0);
+  Map track = chain_of_pieces({{0, 100, true}, {100, 60, true}}, 200.0);
   for (std::size_t scan = 0; scan < track.scans.size(); ++scan) {
     track.scans[scan].T_map_base = {0.5 * static_cast<double>(scan), 0.0, 0.0};
     // To the end of the first piece, and in the middle of the second.

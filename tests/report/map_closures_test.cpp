@@ -44,8 +44,11 @@ class ClosedLoop : public ::testing::Test {
     MapPictureParams params;
     params.min_side_px = 1200;
     params.margin_m = 0.0;
-    return layered_map_picture(
-        grid_, {.T_map_base = trajectory_, .conditions = {}, .closures = closures}, params);
+    std::vector<MappedScan> scans;
+    for (const StampedPose& pose : trajectory_) {
+      scans.push_back({.stamp = pose.stamp, .T_map_sensor = pose.pose, .T_map_base = pose.pose});
+    }
+    return layered_map_picture(grid_, {.scans = scans, .closures = closures}, params);
   }
   [[nodiscard]] PlacedClosures placed(const std::vector<LoopClosure>& closures) const {
     return placed_closures(closures, trajectory_, path_in_cells(grid_, trajectory_));

@@ -44,8 +44,14 @@ std::int64_t count(const Image& image, Color value) {
   return std::count(image.pixels().begin(), image.pixels().end(), value);
 }
 
+MappedScan scan_at(const Pose2& T_map_base) {
+  MappedScan scan;
+  scan.T_map_base = T_map_base;
+  return scan;
+}
+
 TEST(MapPicture, ShowsTheFloorPlanUpright) {
-  const Image image = map_picture(grid_from_plan(kPlan), {}, {}, kBare);
+  const Image image = map_picture(grid_from_plan(kPlan), {}, kBare);
   ASSERT_EQ(image.width_px(), 7);
   ASSERT_EQ(image.height_px(), 5);
   for (int row = 0; row < 5; ++row) {
@@ -78,7 +84,7 @@ TEST(MapPicture, HugeMapStaysWithinItsSideAndKeepsThinWalls) {
   }
   MapPictureParams params = kBare;
   params.max_side_px = 400;
-  const Image image = map_picture(grid, {}, {}, params);
+  const Image image = map_picture(grid, {}, params);
   EXPECT_LE(std::max(image.width_px(), image.height_px()), 400);
   bool has_inner_wall = false;
   for (int row = 20; row < image.height_px() - 20; ++row) {
@@ -94,29 +100,30 @@ TEST(MapPicture, PathLiesWhereTheRobotWasThoughTheGridIsAskew) {
   MapPictureParams params = kBare;
   params.min_side_px = 28;  // four pixels a cell
   const Trajectory standing(2, {{}, T_map_grid * T_grid_base});
-  const Image image = map_picture(grid, standing, {}, params);
+  const Image image = map_picture(grid, standing, params);
   ASSERT_EQ(image.width_px(), 28);
   EXPECT_EQ(image.at(10, 14), palette::kEnd);
 }
 
-TEST(MapPicture, EachConditionHasItsColour) {
+TEST(MapPicture, EachStatusHasItsColour) {
   OccupancyGrid grid({}, 0.1, 400, 400);
   std::fill(grid.values().begin(), grid.values().end(), -2.0F);
   Trajectory trajectory;
-  std::vector<TrackCondition> conditions;
+  std::vector<MappedScan> scans;
   for (int i = 0; i < 90; ++i) {
     trajectory.push_back({{}, {2.0 + 0.4 * i, 20.0, 0.0}});
-    conditions.push_back(i < 30   ? TrackCondition::kTracked
-                         : i < 60 ? TrackCondition::kDegenerate
-                                  : TrackCondition::kLost);
+    scans.push_back(scan_at(trajectory.back().pose));
+    scans.back().status = i < 30   ? TrackStatus::kTracked
+                          : i < 60 ? TrackStatus::kDegenerate
+                                   : TrackStatus::kLost;
   }
   MapPictureParams params = kBare;
   params.min_side_px = 1600;
-  const Image marked = map_picture(grid, trajectory, conditions, params);
+  const Image marked = layered_map_picture(grid, {.scans = scans, .closures = {}}, params);
   for (const Color value : {palette::kTracked, palette::kDegenerate, palette::kLost}) {
     EXPECT_GT(count(marked, value), 300);
   }
-  const Image plain = map_picture(grid, trajectory, {}, params);
+  const Image plain = map_picture(grid, trajectory, params);
   EXPECT_GT(count(plain, palette::kTracked), 900);
   EXPECT_EQ(count(plain, palette::kLost), 0);
 }
@@ -124,26 +131,23 @@ TEST(MapPicture, EachConditionHasItsColour) {
 TEST(MapPicture, WhatIsNotPlacedIsNotDrawn) {
   const std::vector<std::string> hall(60, std::string(60, '.'));
   const OccupancyGrid grid = grid_from_plan(hall);
-  Trajectory path;
-  std::vector<TrackCondition> conditions;
+  std::vector<MappedScan> path;
   for (int i = 0; i < 40; ++i) {
-    path.push_back({Timestamp{i}, {10.0 + i, 20.0, 0.0}});
-    conditions.push_back(TrackCondition::kTracked);
+    path.push_back(scan_at({10.0 + i, 20.0, 0.0}));
+    path.back().stamp = Timestamp{i};
   }
   MapPictureParams params = kBare;
   params.has_legend = true;
-  const Image before = layered_map_picture(
-      grid, {.T_map_base = path, .conditions = conditions, .closures = {}}, params);
+  const Image before = layered_map_picture(grid, {.scans = path, .closures = {}}, params);
   // Lines all over the map and far beyond it, first, last and between.
   for (const std::size_t at : {0U, 17U, 41U}) {
     for (const double x_m : {-200.0, 50.0, 200.0}) {
-      const auto place = static_cast<std::ptrdiff_t>(at);
-      path.insert(path.begin() + place, {Timestamp{}, {x_m, -150.0, 0.0}});
-      conditions.insert(conditions.begin() + place, TrackCondition::kNotPlaced);
+      MappedScan nowhere = scan_at({x_m, -150.0, 0.0});
+      nowhere.is_placed = false;
+      path.insert(path.begin() + static_cast<std::ptrdiff_t>(at), nowhere);
     }
   }
-  const Image after = layered_map_picture(
-      grid, {.T_map_base = path, .conditions = conditions, .closures = {}}, params);
+  const Image after = layered_map_picture(grid, {.scans = path, .closures = {}}, params);
   ASSERT_EQ(after.pixels().size(), before.pixels().size());
   std::size_t num_different = 0;
   for (std::size_t i = 0; i < before.pixels().size(); ++i) {
@@ -159,8 +163,8 @@ TEST(MapPicture, ThePathDoesNotCrossTheLegend) {
   const Trajectory within = {{Timestamp{0}, {30.0, 30.0, 0.0}}, {Timestamp{1}, {30.0, 20.0, 0.0}}};
   Trajectory beyond = within;
   beyond.insert(beyond.begin() + 1, {Timestamp{2}, {30.0, -500.0, 0.0}});
-  const Image image = map_picture(grid, within, {}, params);
-  const Image other = map_picture(grid, beyond, {}, params);
+  const Image image = map_picture(grid, within, params);
+  const Image other = map_picture(grid, beyond, params);
   ASSERT_EQ(other.height_px(), image.height_px());
   for (int row = 60; row < image.height_px(); ++row) {
     for (int column = 0; column < image.width_px(); ++column) {
@@ -172,7 +176,7 @@ TEST(MapPicture, ThePathDoesNotCrossTheLegend) {
 TEST(MapPicture, ScaleBarHasARoundLength) {
   OccupancyGrid grid({}, 0.05, 1000, 600);
   std::fill(grid.values().begin(), grid.values().end(), -2.0F);
-  const Image image = map_picture(grid, {}, {}, {.margin_m = 0.0, .has_legend = false});
+  const Image image = map_picture(grid, {}, {.margin_m = 0.0, .has_legend = false});
   // One pixel a cell, so 10 m are 200 pixels, and the bar has a rim of 1.5.
   int longest_run = 0;
   for (int row = 600; row < image.height_px(); ++row) {

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <string>
 
 #include "setsquare/report/map/page.hpp"
@@ -27,38 +28,48 @@ std::size_t count_of(const std::string& text, const std::string& piece) {
 }
 
 /// A drive along x with a scan of `num_points` every metre; closures between the first and others.
-MapReport drive(int num_poses, int num_closures, int num_points) {
-  MapReport report;
-  report.title = "A drive";
+Map drive(int num_poses, int num_closures, int num_points) {
+  Map map;
   for (int i = 0; i < num_poses; ++i) {
-    const Timestamp stamp = timestamp_from_seconds(976052857.0 + 0.2 * i);
-    report.poses.push_back({stamp, {0.04 * i, 0.3 * std::sin(0.1 * i), 0.1}});
-    report.poses.back().sigma_m = 0.02;
+    MappedScan scan;
+    scan.stamp = timestamp_from_seconds(976052857.0 + 0.2 * i);
+    scan.T_map_base = scan.T_map_sensor = {0.04 * i, 0.3 * std::sin(0.1 * i), 0.1};
+    scan.position_sigma_m = 0.02;
+    map.scans.push_back(scan);
     if (i % 25 != 0) continue;
-    report.scans.push_back({stamp, report.poses.back().T_map_base, {}});
+    Scan kept;
+    kept.stamp = scan.stamp;
+    kept.first_bearing_rad = -0.5 * kPi;
+    kept.bearing_step_rad = kPi / std::max(1, num_points);
+    kept.max_range_m = 80.0;
     for (int p = 0; p < num_points; ++p) {
-      const double bearing_rad = kPi * (p - 0.5 * num_points) / num_points;
-      report.scans.back().points.push_back(2.0 / std::cos(0.9 * bearing_rad), bearing_rad, p);
+      const double bearing_rad = kept.first_bearing_rad + p * kept.bearing_step_rad;
+      kept.ranges_m.push_back(2.0 / std::cos(0.9 * bearing_rad));
     }
+    map.kept_scans.push_back({static_cast<std::size_t>(i), std::make_shared<Scan>(kept)});
   }
   for (int i = 0; i < num_closures; ++i) {
-    ReportClosure row;
-    row.scan_j = 1 + static_cast<std::size_t>(i) % (report.scans.size() - 1);
+    MappedClosure row;
+    row.scan_j =
+        map.kept_scans[1 + static_cast<std::size_t>(i) % (map.kept_scans.size() - 1)].index;
     row.closure.reason = "verified";
-    report.closures.push_back(row);
+    map.closures.push_back(row);
   }
-  return report;
+  return map;
 }
+
+MapReport report_of(const Map& map) { return {.title = "A drive", .map = map}; }
 
 TEST(MapReport, IsTheSameBytesEveryTime) {
   const OccupancyGrid grid({}, 0.05, 10, 10);
-  MapReport report = drive(100, 3, 20);
+  const Map map = drive(100, 3, 20);
+  MapReport report = report_of(map);
   report.grid = &grid;
   EXPECT_EQ(map_report_html(report), map_report_html(report));
 }
 
 TEST(MapReport, NeedsNoOtherFile) {
-  const std::string html = map_report_html(drive(100, 3, 20));
+  const std::string html = map_report_html(report_of(drive(100, 3, 20)));
   EXPECT_THAT(html, HasSubstr("default-src 'none'"));
   for (const char* piece : {"src=\"",
                             "@import",
@@ -76,11 +87,12 @@ TEST(MapReport, NeedsNoOtherFile) {
 }
 
 TEST(MapReport, TextCannotLeaveItsPlace) {
-  MapReport report = drive(50, 1, 5);
+  Map map = drive(50, 1, 5);
+  MapReport report = report_of(map);
   const std::string hostile = "</script><script>alert(1)</script><!-- @SCRIPT@ \" ' & \xff";
   const std::string harmless = map_report_html(report);
   report.title = hostile;
-  report.closures.front().closure.reason = hostile;
+  map.closures.front().closure.reason = hostile;
   report.figures = {{hostile, hostile, hostile, hostile, hostile}};
   const std::string html = map_report_html(report);
   EXPECT_EQ(count_of(html, "<script"), count_of(harmless, "<script"));
@@ -92,22 +104,23 @@ TEST(MapReport, TextCannotLeaveItsPlace) {
 }
 
 TEST(MapReport, StandsNumbersThatAreNone) {
-  MapReport report = drive(50, 1, 5);
+  Map map = drive(50, 1, 5);
   const double nan = std::nan("");
-  report.poses[3].T_map_base = {nan, std::numeric_limits<double>::infinity(), nan};
-  report.poses[4].sigma_m = nan;
-  report.closures.front().closure.weight = nan;
-  report.headings.push_back({report.poses[0].stamp, nan, 0, nan, nan, nan});
-  report.frame_headings_rad = {nan};
-  const std::string json = map_report_json(report);
+  map.scans[3].T_map_base = {nan, std::numeric_limits<double>::infinity(), nan};
+  map.scans[4].position_sigma_m = nan;
+  map.closures.front().closure.weight = nan;
+  map.keyframes = {3};
+  map.headings = {{.tracked_rad = nan, .measured_rad = nan, .weight = nan}};
+  map.frames = {{.offset_rad = nan}};
+  const std::string json = map_report_json(report_of(map));
   EXPECT_EQ(count_of(json, "null"), 1U);  // The grid, which is not there.
   EXPECT_THAT(json, HasSubstr("\"frames\":[0.0]"));
 }
 
 TEST(MapReport, HoldsOnlyTheScansThatClosuresShowAndEachOnce) {
-  const std::size_t none = map_report_json(drive(2500, 0, 180)).size();
-  const std::size_t one = map_report_json(drive(2500, 1, 180)).size();
-  const std::size_t many_of_all = map_report_json(drive(2500, 990, 180)).size();
+  const std::size_t none = map_report_json(report_of(drive(2500, 0, 180))).size();
+  const std::size_t one = map_report_json(report_of(drive(2500, 1, 180))).size();
+  const std::size_t many_of_all = map_report_json(report_of(drive(2500, 990, 180))).size();
   const std::size_t scan = one - none;
   EXPECT_GT(scan, 2U * 180);                 // Two scans of 180 points.
   EXPECT_LT(many_of_all - none, 60 * scan);  // 100 scans, ten closures each.
@@ -116,7 +129,7 @@ TEST(MapReport, HoldsOnlyTheScansThatClosuresShowAndEachOnce) {
 TEST(MapReport, IsSmallForAnHourOfDriving) {
   // 15,000 poses, 5,000 closures, 600 scans of 180 points: 54 bytes a pose and closure in doubles
   // alone would be 1.1 MB, the points 1.7 MB.
-  EXPECT_LT(map_report_html(drive(15000, 5000, 180)).size(), 850'000U);
+  EXPECT_LT(map_report_html(report_of(drive(15000, 5000, 180))).size(), 850'000U);
 }
 
 TEST(MapReportImage, TellsOccupiedUnknownAndFree) {

@@ -20,15 +20,10 @@
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/map/map_summary.hpp"
 
 namespace setsquare::app {
 namespace {
-
-std::size_t num_scans_of(const MapRun& run, TrackStatus status) {
-  std::size_t count = 0;
-  for (const MappedScan& scan : run.track.scans) count += scan.status == status;
-  return count;
-}
 
 double seconds_of(const StageClock& clock) {
   double sum_s = 0.0;
@@ -37,58 +32,45 @@ double seconds_of(const StageClock& clock) {
 }
 
 /// What the map does not know, a line each.
-void tell_doubts(const MapRun& run) {
-  std::size_t num_unjoined = 0;
-  std::size_t num_unjoined_scans = 0;
-  for (const TrackPiece& piece : run.track.pieces) {
-    num_unjoined += !piece.is_joined;
-    num_unjoined_scans += piece.is_joined ? 0 : piece.num_scans;
-  }
-  if (num_unjoined > 0) {
-    std::cout << "not known where: " << num_unjoined << " pieces of track, " << num_unjoined_scans
+void tell_doubts(const MapSummary& summary) {
+  if (summary.num_unjoined_pieces > 0) {
+    std::cout << "not known where: " << summary.num_unjoined_pieces << " pieces of track, "
+              << summary.num_unjoined_scans
               << " scans, that tracking lost and no place joined; the map leaves them out\n";
   }
-  double open_m = 0.0;
-  double sigma_m = 0.0;
-  for (const OpenStretch& stretch : run.open_stretches) {
-    open_m += stretch.way_m;
-    sigma_m = std::max(sigma_m, stretch.length_sigma_m);
-  }
-  if (open_m == 0.0) return;
+  if (summary.open_m == 0.0) return;
   char line[200];
   std::snprintf(line,
                 sizeof line,
                 "not seen by the walls: %.0f m along bare corridors; the least certain stretch is "
                 "known to %.2f m (sigma)\n",
-                open_m,
-                sigma_m);
+                summary.open_m,
+                summary.worst_length_sigma_m);
   std::cout << line;
 }
 
-void tell(const MapRun& run, double total_s) {
-  const std::size_t num_scans = run.track.scans.size();
-  const ClosureCounts closures = count_closures(run.track);
+void tell(const MapSummary& summary, double total_s) {
   char line[300];
   std::snprintf(line,
                 sizeof line,
                 "%zu scans, %zu keyframes, %.0f m travelled; degenerate %zu, recovered %zu, lost "
                 "%zu\n%zu loop closures of %zu compared, %zu outvoted\n",
-                num_scans,
-                run.track.keyframes.size(),
-                path_length_m(run.track),
-                num_scans_of(run, TrackStatus::kDegenerate),
-                num_scans_of(run, TrackStatus::kRecovered),
-                num_scans_of(run, TrackStatus::kLost),
-                closures.num_accepted,
-                closures.num_compared,
-                closures.num_outvoted);
+                summary.num_scans,
+                summary.num_keyframes,
+                summary.path_m,
+                summary.num_degenerate,
+                summary.num_recovered,
+                summary.num_lost,
+                summary.num_accepted_closures,
+                summary.num_compared_closures,
+                summary.num_outvoted_closures);
   std::cout << line;
-  tell_doubts(run);
+  tell_doubts(summary);
   std::snprintf(line,
                 sizeof line,
                 "mapped and written in %.2f s (%.0f us a scan)\n",
                 total_s,
-                1e6 * total_s / static_cast<double>(num_scans));
+                1e6 * total_s / static_cast<double>(summary.num_scans));
   std::cout << line;
 }
 
@@ -99,9 +81,9 @@ void tell_files(const std::string& folder, const std::vector<std::string>& names
 }
 
 /// A map of nothing would replace the last one. Throws FileError.
-void require_something_mapped(const MapOptions& options, const MapRun& run) {
-  const std::size_t num_scans = run.track.scans.size();
-  if (num_scans == 0 || num_scans_of(run, TrackStatus::kLost) < num_scans) return;
+void require_something_mapped(const MapOptions& options, const MapSummary& summary) {
+  const std::size_t num_scans = summary.num_scans;
+  if (num_scans == 0 || summary.num_lost < num_scans) return;
   throw FileError(options.log_path,
                   "none of its " + std::to_string(num_scans) +
                       " scans could be mapped: too few returns within range");
@@ -117,9 +99,10 @@ void map_log(MapOptions options) {
   const auto reader = open_log(options.log_path, log_options);
   OutputSet outputs(options.output_path, map_output_names());
   const MapRun run = run_map(*reader, options, clock);
-  require_something_mapped(options, run);
+  const MapSummary summary = summary_of(run.map);
+  require_something_mapped(options, summary);
   write_map_outputs(outputs, options, run, clock);
-  tell(run, seconds_of(clock));
+  tell(summary, seconds_of(clock));
   tell_files(options.output_path, outputs.added());
   tell_problems(options.log_path, run.problems);
 }

@@ -2,16 +2,27 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/outputs.hpp"
 
-#include "apps/setsquare/map/image.hpp"
-#include "apps/setsquare/map/page.hpp"
+#include <filesystem>
+
 #include "apps/setsquare/map/report.hpp"
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/io/tables/closures_tsv.hpp"
 #include "setsquare/io/tables/pose_graph_g2o.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
+#include "setsquare/report/map/building_heading.hpp"
+#include "setsquare/report/map/page.hpp"
+#include "setsquare/report/map/picture.hpp"
 
 namespace setsquare::app {
+namespace {
+
+/// Along the building's walls, where the map's axes are others (the paper's preset).
+OccupancyGrid upright_grid(const Map& map, int num_threads) {
+  return occupancy_grid(map, num_threads, building_heading_rad(placed_scans(map)));
+}
+
+}  // namespace
 
 std::vector<std::string> map_output_names() {
   return {"trajectory.tum",
@@ -37,27 +48,35 @@ void write_map_outputs(OutputSet& outputs,
                        StageClock& clock) {
   const auto num_threads = static_cast<int>(options.num_threads);
   clock.begin("grid");
-  const OccupancyGrid grid = map_grid(run, num_threads);
+  const OccupancyGrid grid = occupancy_grid(run.map, num_threads);
   add_map_files(outputs, grid);
   clock.begin("picture");
   const bool is_upright = options.preset == Preset::kDefault;
-  outputs.add(
-      "map.png",
-      png_from_image(map_image(run, is_upright ? grid : upright_map_grid(run, num_threads))));
+  const std::vector<LoopClosure> closures = closures_of(run.map);
+  const MapPictureLayers layers{.scans = run.map.scans, .closures = closures};
+  outputs.add("map.png",
+              png_from_image(layered_map_picture(
+                  is_upright ? grid : upright_grid(run.map, num_threads), layers)));
   clock.begin("tables");
   outputs.add("trajectory.tum",
-              tum_from_trajectory(trajectory_from(run.track, options.is_of_sensor)));
-  if (!run.track.graph.T_map_node.empty()) {
-    outputs.add("graph.g2o", g2o_from_pose_graph(run.track.graph));
-    outputs.add("closures.tsv", tsv_from_closures(closures_of(run.track)));
+              tum_from_trajectory(
+                  trajectory_of(run.map, options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase)));
+  if (!run.map.graph.T_map_node.empty()) {
+    outputs.add("graph.g2o", g2o_from_pose_graph(run.map.graph));
+    outputs.add("closures.tsv", tsv_from_closures(closures));
     clock.begin("report");
-    outputs.add("report.html", map_report_html(map_page(options, run, grid)));
+    outputs.add(
+        "report.html",
+        map_report_html({.title = std::filesystem::path(options.log_path).filename().string(),
+                         .map = run.map,
+                         .grid = &grid,
+                         .figures = map_figures(run.map)}));
   }
   outputs.add("run.json", run_json(options, run));
   clock.end();
   outputs.add("timing.json",
               timing_json({.stages = clock.stages(),
-                           .num_scans = run.track.scans.size(),
+                           .num_scans = run.map.scans.size(),
                            .num_threads = num_threads}));
   outputs.commit();
 }

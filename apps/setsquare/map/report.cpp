@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/report.hpp"
 
-#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/map/map_summary.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 
 namespace setsquare::app {
@@ -14,52 +14,47 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-double step_m(const MappedTrack& track, std::size_t i) {
-  return (track.scans[i].T_map_base.translation() - track.scans[i - 1].T_map_base.translation())
-      .norm();
-}
-
 /// Six decimals: what the log's own digits can support.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
-Json json_from(const Stretch& stretch, const MappedTrack& track) {
+Json json_from(const StatusStretch& stretch, const Map& map) {
   const std::size_t last = stretch.first_scan + stretch.num_scans - 1;
   return {{"status", to_string(stretch.status)},
           {"first_scan", stretch.first_scan},
           {"num_scans", stretch.num_scans},
-          {"first_stamp", to_string(track.scans[stretch.first_scan].stamp)},
-          {"last_stamp", to_string(track.scans[last].stamp)},
+          {"first_stamp", to_string(map.scans[stretch.first_scan].stamp)},
+          {"last_stamp", to_string(map.scans[last].stamp)},
           {"path_m", rounded(stretch.path_m)}};
 }
 
-Json json_from(const TrackPiece& piece, const MappedTrack& track) {
+Json json_from(const TrackPiece& piece, const Map& map) {
   return {{"first_scan", piece.first_scan},
           {"num_scans", piece.num_scans},
-          {"first_stamp", to_string(track.scans[piece.first_scan].stamp)},
+          {"first_stamp", to_string(map.scans[piece.first_scan].stamp)},
           {"joined", piece.is_joined}};
 }
 
-Json json_from(const OpenStretch& stretch, const MappedTrack& track) {
+Json json_from(const OpenStretch& stretch, const Map& map) {
   return {{"first_scan", stretch.first_scan},
           {"num_scans", stretch.num_scans},
-          {"first_stamp", to_string(track.scans[stretch.first_scan].stamp)},
+          {"first_stamp", to_string(map.scans[stretch.first_scan].stamp)},
           {"way_m", rounded(stretch.way_m)},
           {"open_direction_deg", rounded(deg_from_rad(stretch.direction_rad))},
           {"with_odometry", stretch.has_odometry},
           {"length_sigma_m", rounded(stretch.length_sigma_m)}};
 }
 
-Json json_from(const HeadingFrame& frame) {
+Json json_from(const BuildingFrame& frame) {
   return {{"offset_deg", rounded(deg_from_rad(frame.offset_rad))},
           {"sigma_deg", rounded(deg_from_rad(frame.sigma_rad))},
           {"support", rounded(frame.support)}};
 }
 
-Json json_from(const ClosureCounts& counts) {
-  return {{"compared", counts.num_compared},
-          {"accepted", counts.num_accepted},
-          {"one_axis", counts.num_one_axis},
-          {"outvoted", counts.num_outvoted}};
+Json closure_counts(const MapSummary& summary) {
+  return {{"compared", summary.num_compared_closures},
+          {"accepted", summary.num_accepted_closures},
+          {"one_axis", summary.num_one_axis_closures},
+          {"outvoted", summary.num_outvoted_closures}};
 }
 
 /// An array of what json_from() makes of each.
@@ -70,17 +65,13 @@ Json array_from(const Values& values, const Context&... context) {
   return array;
 }
 
-Json counts(const MappedTrack& track) {
-  std::array<std::size_t, 4> count{};
-  for (const MappedScan& scan : track.scans) ++count[static_cast<std::size_t>(scan.status)];
-  Json json = {{"scans", track.scans.size()}, {"keyframes", track.keyframes.size()}};
-  for (const TrackStatus status : {TrackStatus::kTracked,
-                                   TrackStatus::kDegenerate,
-                                   TrackStatus::kRecovered,
-                                   TrackStatus::kLost}) {
-    json[to_string(status)] = count[static_cast<std::size_t>(status)];
-  }
-  return json;
+Json scan_counts(const MapSummary& summary) {
+  return {{"scans", summary.num_scans},
+          {"keyframes", summary.num_keyframes},
+          {to_string(TrackStatus::kTracked), summary.num_tracked},
+          {to_string(TrackStatus::kDegenerate), summary.num_degenerate},
+          {to_string(TrackStatus::kRecovered), summary.num_recovered},
+          {to_string(TrackStatus::kLost), summary.num_lost}};
 }
 
 Json parameters(const MapOptions& options) {
@@ -113,79 +104,23 @@ Json parameters(const MapOptions& options) {
 
 }  // namespace
 
-const char* to_string(TrackStatus status) {
-  switch (status) {
-    case TrackStatus::kTracked:
-      return "tracked";
-    case TrackStatus::kDegenerate:
-      return "degenerate";
-    case TrackStatus::kRecovered:
-      return "recovered";
-    case TrackStatus::kLost:
-      return "lost";
-  }
-  return "unknown";
-}
-
-std::vector<Stretch> stretches(const MappedTrack& track) {
-  std::vector<Stretch> found;
-  for (std::size_t i = 0; i < track.scans.size(); ++i) {
-    const TrackStatus status = track.scans[i].status;
-    if (status == TrackStatus::kTracked) continue;
-    const bool continues = i > 0 && track.scans[i - 1].status == status;
-    if (!continues) {
-      found.push_back({.status = status, .first_scan = i, .num_scans = 0, .path_m = 0.0});
-    }
-    ++found.back().num_scans;
-    if (i > 0) found.back().path_m += step_m(track, i);
-  }
-  return found;
-}
-
-Trajectory trajectory_from(const MappedTrack& track, bool is_of_sensor) {
-  Trajectory trajectory;
-  trajectory.reserve(track.scans.size());
-  for (const MappedScan& scan : track.scans) {
-    trajectory.push_back({scan.stamp, is_of_sensor ? scan.T_map_sensor : scan.T_map_base});
-  }
-  return trajectory;
-}
-
-double path_length_m(const MappedTrack& track) {
-  double length_m = 0.0;
-  for (std::size_t i = 1; i < track.scans.size(); ++i) length_m += step_m(track, i);
-  return length_m;
-}
-
-ClosureCounts count_closures(const MappedTrack& track) {
-  constexpr double kOutvotedBelow = 0.5;
-  ClosureCounts counts{.num_compared = track.closures.size()};
-  for (const MappedClosure& mapped : track.closures) {
-    const LoopClosure& closure = mapped.closure;
-    if (!closure.is_accepted) continue;
-    ++counts.num_accepted;
-    counts.num_one_axis += closure.axes != ClosureAxes::kXY;
-    counts.num_outvoted += closure.weight < kOutvotedBelow;
-  }
-  return counts;
-}
-
 std::string run_json(const MapOptions& options, const MapRun& run) {
-  const MappedTrack& track = run.track;
+  const Map& map = run.map;
+  const MapSummary summary = summary_of(map);
   const bool is_paper = options.preset == Preset::kPaper;
   const Json json = {{"format", run.format},
                      {"sensor", run.sensor},
                      {"preset", is_paper ? "paper" : "default"},
                      {"frame", options.is_of_sensor ? "sensor" : "base"},
-                     {"scans_with_odometry", run.num_with_odometry},
+                     {"scans_with_odometry", map.num_with_odometry},
                      {"damaged_records", run.problems.num_damaged},
-                     {"num", counts(track)},
-                     {"path_m", rounded(path_length_m(track))},
-                     {"closures", json_from(count_closures(track))},
-                     {"building_frames", array_from(track.headings.frames)},
-                     {"pieces", array_from(track.pieces, track)},
-                     {"open_stretches", array_from(run.open_stretches, track)},
-                     {"stretches", array_from(stretches(track), track)},
+                     {"num", scan_counts(summary)},
+                     {"path_m", rounded(summary.path_m)},
+                     {"closures", closure_counts(summary)},
+                     {"building_frames", array_from(map.frames)},
+                     {"pieces", array_from(map.pieces, map)},
+                     {"open_stretches", array_from(map.open_stretches, map)},
+                     {"stretches", array_from(status_stretches(map), map)},
                      {"parameters", parameters(options)}};
   return json.dump(2) + "\n";
 }

@@ -4,14 +4,11 @@
 
 #include <cstddef>
 #include <string>
-#include <vector>
 
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/preset.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
-#include "setsquare/mapping/mapped_track.hpp"
-#include "setsquare/mapping/track_certainty.hpp"
-#include "setsquare/scan/scan.hpp"
+#include "setsquare/map/map.hpp"
 
 namespace setsquare::app {
 
@@ -26,18 +23,9 @@ struct MapOptions {
   std::size_t num_threads = 1;
 };
 
-/// A scan that the picture needs.
-struct PictureScan {
-  Scan scan;
-  std::size_t index = 0;  ///< Among the log's scans, from 0.
-};
-
 /// A log mapped.
 struct MapRun {
-  MappedTrack track;
-  std::vector<OpenStretch> open_stretches;  ///< Of the track; see track_certainty.hpp.
-  std::vector<PictureScan> picture_scans;   ///< Keyframes, and those that moved on.
-  std::size_t num_with_odometry = 0;        ///< Scans whose odometry was used.
+  Map map;
   std::string format;
   std::string sensor;
   LogProblems problems;

@@ -10,11 +10,14 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/report/map/page_image.hpp"
 #include "setsquare/report/map/raster.hpp"
+#include "setsquare/scan/scan_to_points.hpp"
 
 namespace setsquare {
 namespace {
@@ -50,12 +53,9 @@ void add_poses(Json& json, const Rows& rows, const PoseOf& pose_of) {
 }
 
 /// The earliest stamp, from which the page counts its milliseconds.
-Timestamp first_stamp(const MapReport& report) {
-  Timestamp first{std::numeric_limits<std::int64_t>::max()};
-  for (const ReportPose& pose : report.poses) first = std::min(first, pose.stamp);
-  for (const ReportScan& scan : report.scans) first = std::min(first, scan.stamp);
-  for (const ReportHeading& heading : report.headings) first = std::min(first, heading.stamp);
-  return first.ns == std::numeric_limits<std::int64_t>::max() ? Timestamp{} : first;
+Timestamp first_stamp(const Map& map) {
+  if (map.scans.empty()) return {};
+  return std::ranges::min(map.scans, {}, &MappedScan::stamp).stamp;
 }
 
 template <typename Rows>
@@ -81,98 +81,145 @@ Json json_from_grid(const OccupancyGrid& grid) {
             corner.y() + walls.end.row * resolution_m}}};
 }
 
-Json json_from_poses(const std::vector<ReportPose>& poses, Timestamp start) {
-  Json json = {{"t", times(poses, start)}};
-  add_poses(json, poses, [](const ReportPose& pose) { return pose.T_map_base; });
-  json["condition"] =
-      column(poses, [](const ReportPose& pose) { return static_cast<int>(pose.condition); });
-  json["sigma"] = column(poses, [](const ReportPose& pose) {
-    return std::isfinite(pose.sigma_m) ? quantised(pose.sigma_m, kMillimetre) : -1;
+/// The page's code of a scan that is not placed, behind those of TrackStatus.
+constexpr std::int64_t kNotPlaced = 4;
+
+std::int64_t condition_of(const MappedScan& scan) {
+  return scan.is_placed ? static_cast<std::int64_t>(scan.status) : kNotPlaced;
+}
+
+Json json_from_poses(const std::vector<MappedScan>& scans, Timestamp start) {
+  Json json = {{"t", times(scans, start)}};
+  add_poses(json, scans, [](const MappedScan& scan) { return scan.T_map_base; });
+  json["condition"] = column(scans, condition_of);
+  json["sigma"] = column(scans, [](const MappedScan& scan) {
+    return std::isfinite(scan.position_sigma_m) ? quantised(scan.position_sigma_m, kMillimetre)
+                                                : -1;
   });
   return json;
 }
 
-/// The scans that closures name, in their order, and where each of all scans went among them.
-struct ShownScans {
-  std::vector<const ReportScan*> scans;
-  std::vector<std::int64_t> place;
+/// The scans that closures are of, each once, in the order in which they are first named.
+class ShownScans {
+ public:
+  explicit ShownScans(const Map& map) {
+    for (const MappedClosure& closure : map.closures) {
+      show(closure.scan_i);
+      show(closure.scan_j);
+    }
+  }
+
+  /// Indices of Map::scans.
+  [[nodiscard]] const std::vector<std::size_t>& scans() const { return scans_; }
+  [[nodiscard]] std::int64_t place_of(std::size_t scan) const { return place_of_.at(scan); }
+
+ private:
+  void show(std::size_t scan) {
+    const auto next = static_cast<std::int64_t>(scans_.size());
+    if (place_of_.try_emplace(scan, next).second) scans_.push_back(scan);
+  }
+
+  std::vector<std::size_t> scans_;
+  std::unordered_map<std::size_t, std::int64_t> place_of_;
 };
 
-ShownScans shown_scans(const MapReport& report) {
-  ShownScans shown;
-  shown.place.assign(report.scans.size(), -1);
-  for (const ReportClosure& closure : report.closures) {
-    assert(closure.scan_i < report.scans.size() && closure.scan_j < report.scans.size());
-    shown.place[closure.scan_i] = shown.place[closure.scan_j] = 0;
+PointSet points_in_base(const Scan& scan) {
+  PointSet points = points_from_scan(scan);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Eigen::Vector2d p = scan.T_base_sensor * Eigen::Vector2d(points.x_m[i], points.y_m[i]);
+    points.x_m[i] = p.x();
+    points.y_m[i] = p.y();
   }
-  for (std::size_t i = 0; i < report.scans.size(); ++i) {
-    if (shown.place[i] < 0) continue;
-    shown.place[i] = static_cast<std::int64_t>(shown.scans.size());
-    shown.scans.push_back(&report.scans[i]);
-  }
-  return shown;
+  return points;
 }
 
-Json json_from_scans(const std::vector<const ReportScan*>& scans, Timestamp start) {
-  Json json;
-  json["t"] = column(
-      scans, [&](const ReportScan* scan) { return (scan->stamp.ns - start.ns) / kMillisecondNs; });
-  add_poses(json, scans, [](const ReportScan* scan) { return scan->T_map_base; });
-  json["points"] = column(
-      scans, [](const ReportScan* scan) { return static_cast<std::int64_t>(scan->points.size()); });
+Json json_from_scans(const Map& map, const ShownScans& shown, Timestamp start) {
+  std::unordered_map<std::size_t, const Scan*> kept;
+  for (const KeptScan& scan : map.kept_scans) kept[scan.index] = scan.scan.get();
+  const std::vector<std::size_t>& rows = shown.scans();
+  std::vector<std::int64_t> num_points;
   std::vector<std::int64_t> x_cm;
   std::vector<std::int64_t> y_cm;
-  for (const ReportScan* scan : scans) {
-    for (const double x_m : scan->points.x_m) x_cm.push_back(quantised(x_m, kCentimetre));
-    for (const double y_m : scan->points.y_m) y_cm.push_back(quantised(y_m, kCentimetre));
+  for (const std::size_t index : rows) {
+    const PointSet points = points_in_base(*kept.at(index));
+    num_points.push_back(static_cast<std::int64_t>(points.size()));
+    for (const double x_m : points.x_m) x_cm.push_back(quantised(x_m, kCentimetre));
+    for (const double y_m : points.y_m) y_cm.push_back(quantised(y_m, kCentimetre));
   }
+  Json json;
+  json["t"] = column(rows, [&](std::size_t index) {
+    return (map.scans[index].stamp.ns - start.ns) / kMillisecondNs;
+  });
+  add_poses(json, rows, [&](std::size_t index) { return map.scans[index].T_map_base; });
+  json["points"] = packed(num_points);
   json["px"] = packed(x_cm);
   json["py"] = packed(y_cm);
   return json;
 }
 
-Json json_from_closures(const MapReport& report, const std::vector<std::int64_t>& place) {
-  const std::vector<ReportClosure>& rows = report.closures;
+Json json_from_closures(const std::vector<MappedClosure>& rows, const ShownScans& shown) {
   std::vector<std::string> reasons;  // Each once: there are few.
-  for (const ReportClosure& row : rows) reasons.push_back(row.closure.reason);
+  for (const MappedClosure& row : rows) reasons.push_back(row.closure.reason);
   std::sort(reasons.begin(), reasons.end());
   reasons.erase(std::unique(reasons.begin(), reasons.end()), reasons.end());
 
   Json json;
-  json["i"] = column(rows, [&](const ReportClosure& row) { return place[row.scan_i]; });
-  json["j"] = column(rows, [&](const ReportClosure& row) { return place[row.scan_j]; });
-  add_poses(json, rows, [](const ReportClosure& row) { return row.closure.T_i_j; });
+  json["i"] = column(rows, [&](const MappedClosure& row) { return shown.place_of(row.scan_i); });
+  json["j"] = column(rows, [&](const MappedClosure& row) { return shown.place_of(row.scan_j); });
+  add_poses(json, rows, [](const MappedClosure& row) { return row.closure.T_i_j; });
   json["axes"] =
-      column(rows, [](const ReportClosure& row) { return static_cast<int>(row.closure.axes); });
+      column(rows, [](const MappedClosure& row) { return static_cast<int>(row.closure.axes); });
   json["accepted"] =
-      column(rows, [](const ReportClosure& row) { return row.closure.is_accepted ? 1 : 0; });
+      column(rows, [](const MappedClosure& row) { return row.closure.is_accepted ? 1 : 0; });
   json["weight"] = column(
-      rows, [](const ReportClosure& row) { return quantised(row.closure.weight, kThousandth); });
-  json["reason"] = column(rows, [&](const ReportClosure& row) {
+      rows, [](const MappedClosure& row) { return quantised(row.closure.weight, kThousandth); });
+  json["reason"] = column(rows, [&](const MappedClosure& row) {
     return std::lower_bound(reasons.begin(), reasons.end(), row.closure.reason) - reasons.begin();
   });
   json["reasons"] = reasons;
   return json;
 }
 
-Json json_from_headings(const MapReport& report, Timestamp start) {
-  const std::vector<ReportHeading>& rows = report.headings;
+/// A keyframe's heading, of the robot.
+struct HeadingRow {
+  Timestamp stamp;
+  const MappedHeading* of_sensor = nullptr;
+  double to_base_rad = 0.0;  ///< From the sensor's heading.
+  double fused_rad = 0.0;    ///< The heading that the map uses.
+};
+
+std::vector<HeadingRow> heading_rows(const Map& map) {
+  std::vector<HeadingRow> rows;
+  for (std::size_t k = 0; k < map.headings.size(); ++k) {
+    const MappedScan& scan = map.scans[map.keyframes[k]];
+    const double to_base_rad = wrap_to_pi(scan.T_map_base.theta_rad - scan.T_map_sensor.theta_rad);
+    rows.push_back({scan.stamp, &map.headings[k], to_base_rad, scan.T_map_base.theta_rad});
+  }
+  return rows;
+}
+
+Json json_from_headings(const Map& map, Timestamp start) {
+  const std::vector<HeadingRow> rows = heading_rows(map);
   const auto angle = [&](const auto& angle_of) {
-    return column(rows, [&](const ReportHeading& row) {
-      return quantised(angle_of(row), kTenthOfMilliradian);
-    });
+    return column(
+        rows, [&](const HeadingRow& row) { return quantised(angle_of(row), kTenthOfMilliradian); });
   };
   Json json = {{"t", times(rows, start)}};
-  json["measured"] = angle([](const ReportHeading& row) { return row.measured_rad.value_or(0.0); });
-  json["frame"] =
-      column(rows, [](const ReportHeading& row) { return row.measured_rad ? row.frame : -1; });
-  json["weight"] =
-      column(rows, [](const ReportHeading& row) { return quantised(row.weight, kThousandth); });
-  json["fused"] = angle([](const ReportHeading& row) { return row.fused_rad; });
-  json["tracked"] = angle([](const ReportHeading& row) { return row.tracked_rad; });
+  json["measured"] = angle([](const HeadingRow& row) {
+    const auto& measured_rad = row.of_sensor->measured_rad;
+    return measured_rad ? *measured_rad + row.to_base_rad : 0.0;
+  });
+  json["frame"] = column(rows, [](const HeadingRow& row) {
+    return row.of_sensor->measured_rad ? static_cast<std::int64_t>(row.of_sensor->frame) : -1;
+  });
+  json["weight"] = column(
+      rows, [](const HeadingRow& row) { return quantised(row.of_sensor->weight, kThousandth); });
+  json["fused"] = angle([](const HeadingRow& row) { return row.fused_rad; });
+  json["tracked"] =
+      angle([](const HeadingRow& row) { return row.of_sensor->tracked_rad + row.to_base_rad; });
   json["frames"] = Json::array();
-  for (const double heading_rad : report.frame_headings_rad) {
-    json["frames"].push_back(std::isfinite(heading_rad) ? heading_rad : 0.0);
+  for (const BuildingFrame& frame : map.frames) {
+    json["frames"].push_back(std::isfinite(frame.offset_rad) ? frame.offset_rad : 0.0);
   }
   return json;
 }
@@ -233,15 +280,16 @@ std::string packed(std::span<const std::int64_t> values) {
 }
 
 std::string map_report_json(const MapReport& report) {
-  const Timestamp start = first_stamp(report);
-  const ShownScans shown = shown_scans(report);
+  const Map& map = report.map;
+  const Timestamp start = first_stamp(map);
+  const ShownScans shown(map);
   Json json = {{"title", report.title}, {"start", to_string(start)}};
   json["grid_heading"] = report.grid != nullptr ? report.grid->T_map_grid().theta_rad : 0.0;
   json["map"] = report.grid != nullptr ? json_from_grid(*report.grid) : Json(nullptr);
-  json["poses"] = json_from_poses(report.poses, start);
-  json["scans"] = json_from_scans(shown.scans, start);
-  json["closures"] = json_from_closures(report, shown.place);
-  json["headings"] = json_from_headings(report, start);
+  json["poses"] = json_from_poses(map.scans, start);
+  json["scans"] = json_from_scans(map, shown, start);
+  json["closures"] = json_from_closures(map.closures, shown);
+  json["headings"] = json_from_headings(map, start);
   json["figures"] = json_from_figures(report.figures);
 
   std::string safe;

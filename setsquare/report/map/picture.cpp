@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <Eigen/Core>
 #include <utility>
@@ -20,29 +19,31 @@
 namespace setsquare {
 namespace {
 
-using Conditions = std::span<const TrackCondition>;
+using Scans = std::span<const MappedScan>;
 
-struct ConditionStyle {
-  TrackCondition condition;
+struct StatusStyle {
+  TrackStatus status;
   Color value;
   const char* words;
 };
 
-constexpr std::array<ConditionStyle, 3> kConditionStyles = {
-    {{TrackCondition::kTracked, palette::kTracked, "robot's path"},
-     {TrackCondition::kDegenerate, palette::kDegenerate, "one direction open"},
-     {TrackCondition::kLost, palette::kLost, "not matched"}}};
+constexpr std::array<StatusStyle, 3> kStatusStyles = {
+    {{TrackStatus::kTracked, palette::kTracked, "robot's path"},
+     {TrackStatus::kDegenerate, palette::kDegenerate, "one direction open"},
+     {TrackStatus::kLost, palette::kLost, "not matched"}}};
 
-bool has_condition(Conditions conditions, std::size_t pose, TrackCondition condition) {
-  return (conditions.empty() ? TrackCondition::kTracked : conditions[pose]) == condition;
+/// Whether a pose is drawn in this style; one that was recovered is tracked again.
+bool has_style(const MappedScan& scan, const StatusStyle& style) {
+  const bool is_recovered = scan.status == TrackStatus::kRecovered;
+  return scan.is_placed && (is_recovered ? TrackStatus::kTracked : scan.status) == style.status;
 }
 
 const PixelPoint kGap = PixelPoint::Constant(std::nan(""));
 
 /// Poses that are not placed become gaps, of the path and of closures.
-void leave_out_unplaced(std::vector<Eigen::Vector2d>& path_cells, Conditions conditions) {
+void leave_out_unplaced(std::vector<Eigen::Vector2d>& path_cells, Scans scans) {
   for (std::size_t i = 0; i < path_cells.size(); ++i) {
-    if (has_condition(conditions, i, TrackCondition::kNotPlaced)) path_cells[i] = kGap;
+    if (!scans[i].is_placed) path_cells[i] = kGap;
   }
 }
 
@@ -50,12 +51,12 @@ void leave_out_unplaced(std::vector<Eigen::Vector2d>& path_cells, Conditions con
 void draw_path(Image& image,
                const MapLayout& layout,
                std::span<const Eigen::Vector2d> path_cells,
-               Conditions conditions) {
-  for (const ConditionStyle& style : kConditionStyles) {
+               Scans scans) {
+  for (const StatusStyle& style : kStatusStyles) {
     std::vector<PixelPoint> line;
     for (std::size_t i = 1; i < path_cells.size(); ++i) {
-      if (!has_condition(conditions, i, style.condition)) continue;
-      if (i == 1 || !has_condition(conditions, i - 1, style.condition)) {
+      if (!has_style(scans[i], style)) continue;
+      if (i == 1 || !has_style(scans[i - 1], style)) {
         line.push_back(kGap);
         line.push_back(layout.pixel_of(path_cells[i - 1]));
       }
@@ -74,23 +75,24 @@ void draw_mark(Image& image, const PixelPoint& centre, double radius_px, Color v
   fill_disc(image, centre, radius_px, value);
 }
 
-std::vector<LegendEntry> legend_entries(const MapPictureLayers& layers,
-                                        const PlacedClosures& closures) {
+std::vector<LegendEntry> legend_entries(Scans scans, const PlacedClosures& closures) {
   std::vector<LegendEntry> entries;
-  const std::size_t num_poses = layers.T_map_base.size();
-  const Conditions conditions = layers.conditions;
-  if (num_poses == 0) return entries;
+  if (scans.empty()) return entries;
   entries.push_back({"start", palette::kStart, kStartRadius});
   entries.push_back({"end", palette::kEnd, kEndRadius});
-  for (const ConditionStyle& style : kConditionStyles) {
-    bool is_present = false;
-    for (std::size_t i = 0; i < num_poses; ++i) {
-      is_present = is_present || has_condition(conditions, i, style.condition);
-    }
-    if (is_present) entries.push_back({style.words, style.value});
+  for (const StatusStyle& style : kStatusStyles) {
+    const auto is_drawn = [&](const MappedScan& scan) { return has_style(scan, style); };
+    if (std::ranges::any_of(scans, is_drawn)) entries.push_back({style.words, style.value});
   }
   for (LegendEntry& entry : legend_entries(closures)) entries.push_back(std::move(entry));
   return entries;
+}
+
+Trajectory trajectory_of(Scans scans) {
+  Trajectory trajectory;
+  trajectory.reserve(scans.size());
+  for (const MappedScan& scan : scans) trajectory.push_back({scan.stamp, scan.T_map_base});
+  return trajectory;
 }
 
 }  // namespace
@@ -107,15 +109,15 @@ Image layered_map_picture(const OccupancyGrid& grid,
                           const MapPictureLayers& layers,
                           const MapPictureParams& params) {
   params.validate();
-  assert(layers.conditions.empty() || layers.conditions.size() == layers.T_map_base.size());
-  std::vector<Eigen::Vector2d> path = path_in_cells(grid, layers.T_map_base);
-  leave_out_unplaced(path, layers.conditions);
-  const PlacedClosures closures = placed_closures(layers.closures, layers.T_map_base, path);
+  const Trajectory trajectory = trajectory_of(layers.scans);
+  std::vector<Eigen::Vector2d> path = path_in_cells(grid, trajectory);
+  leave_out_unplaced(path, layers.scans);
+  const PlacedClosures closures = placed_closures(layers.closures, trajectory, path);
   MapLayout layout =
       map_layout(box_to_show(grid, path, params.margin_m), params.min_side_px, params.max_side_px);
   const double letter_px = layout.letter_px;
   std::vector<LegendEntry> entries;
-  if (params.has_legend) entries = legend_entries(layers, closures);
+  if (params.has_legend) entries = legend_entries(layers.scans, closures);
   constexpr double kMaxBarLetters = 20.0;
   const double bar_width_px = params.has_scale_bar ? (kMaxBarLetters + 6.0) * letter_px : 0.0;
   const double footer_width_px = bar_width_px + legend_width_px(entries, letter_px);
@@ -126,7 +128,7 @@ Image layered_map_picture(const OccupancyGrid& grid,
       image, {0, 0}, PixelPoint(layout.width_px, layout.map_height_px), palette::kUnknown);
   draw_cells(image, layout.left_px, 0, grid, layout.box, layout.scale);
   draw_closures(image, layout, closures);
-  draw_path(image, layout, path, layers.conditions);
+  draw_path(image, layout, path, layers.scans);
   const auto is_placed = [](const Eigen::Vector2d& place) { return place.allFinite(); };
   const auto first = std::find_if(path.begin(), path.end(), is_placed);
   const auto last = std::find_if(path.rbegin(), path.rend(), is_placed);
@@ -151,10 +153,12 @@ Image layered_map_picture(const OccupancyGrid& grid,
 
 Image map_picture(const OccupancyGrid& grid,
                   const Trajectory& T_map_base,
-                  std::span<const TrackCondition> conditions,
                   const MapPictureParams& params) {
-  return layered_map_picture(
-      grid, {.T_map_base = T_map_base, .conditions = conditions, .closures = {}}, params);
+  std::vector<MappedScan> scans;
+  for (const StampedPose& pose : T_map_base) {
+    scans.push_back({.stamp = pose.stamp, .T_map_sensor = pose.pose, .T_map_base = pose.pose});
+  }
+  return layered_map_picture(grid, {.scans = scans, .closures = {}}, params);
 }
 
 }  // namespace setsquare

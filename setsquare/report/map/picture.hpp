@@ -8,16 +8,9 @@
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/drawing/image.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/map/map.hpp"
 
 namespace setsquare {
-
-/// How well a pose of the trajectory is known; the picture gives each its own colour.
-enum class TrackCondition {
-  kTracked,
-  kDegenerate,  ///< The scans did not determine the motion along one direction.
-  kLost,        ///< No match: the pose is carried on by the odometry or the last motion.
-  kNotPlaced,   ///< Nobody knows where in the map: not drawn.
-};
 
 struct MapPictureParams {
   int max_side_px = 4000;  ///< The longer side of the map, at most; cells are joined until then.
@@ -32,9 +25,10 @@ struct MapPictureParams {
 
 /// What is drawn upon the map's cells; all of it may be empty.
 struct MapPictureLayers {
-  std::span<const StampedPose> T_map_base;     ///< The robot's poses, joined in their order.
-  std::span<const TrackCondition> conditions;  ///< One a pose; empty where every pose is tracked.
-  std::span<const LoopClosure> closures;       ///< Of poses with those stamps.
+  /// The robot's poses, joined in their order, each in the colour of its status; those that are not
+  /// placed are gaps.
+  std::span<const MappedScan> scans;
+  std::span<const LoopClosure> closures;  ///< Of scans with those stamps.
 };
 
 /// A map for people: walls, free space, loop closures, the robot's path with its start and end, a
@@ -45,10 +39,9 @@ struct MapPictureLayers {
                                         const MapPictureLayers& layers,
                                         const MapPictureParams& params = {});
 
-/// The same without closures.
+/// The same of a path without closures, all of it tracked.
 [[nodiscard]] Image map_picture(const OccupancyGrid& grid,
                                 const Trajectory& T_map_base,
-                                std::span<const TrackCondition> conditions = {},
                                 const MapPictureParams& params = {});
 
 }  // namespace setsquare

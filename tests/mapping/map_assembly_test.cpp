@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/mapping/mapped_closures.hpp"
+#include "setsquare/mapping/map_assembly.hpp"
 
 #include <gtest/gtest.h>
 
@@ -103,6 +103,7 @@ TEST(MappedClosures, TellThePosesOfTheBaseAndTheFinalWeights) {
   for (const std::size_t k : {0U, 2U}) {
     Constraint constraint = closure_constraint(compared[k]);
     constraint.weight = k == 0 ? 0.75 : 0.25;
+    constraint.source = k;
     mounted.graph.constraints.push_back(constraint);
   }
   const auto closures = mapped_closures(mounted.track, compared, mounted.graph);

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/map/map.hpp"
+
+#include "setsquare/grid/grid_from_scans.hpp"
+
+namespace setsquare {
+
+const char* to_string(TrackStatus status) {
+  switch (status) {
+    case TrackStatus::kTracked:
+      return "tracked";
+    case TrackStatus::kDegenerate:
+      return "degenerate";
+    case TrackStatus::kRecovered:
+      return "recovered";
+    case TrackStatus::kLost:
+      return "lost";
+  }
+  return "unknown";
+}
+
+Trajectory trajectory_of(const Map& map, PoseOf pose_of) {
+  Trajectory trajectory;
+  trajectory.reserve(map.scans.size());
+  for (const MappedScan& scan : map.scans) {
+    trajectory.push_back(
+        {scan.stamp, pose_of == PoseOf::kSensor ? scan.T_map_sensor : scan.T_map_base});
+  }
+  return trajectory;
+}
+
+std::vector<LoopClosure> closures_of(const Map& map) {
+  std::vector<LoopClosure> closures;
+  closures.reserve(map.closures.size());
+  for (const MappedClosure& mapped : map.closures) closures.push_back(mapped.closure);
+  return closures;
+}
+
+std::vector<PlacedScan> placed_scans(const Map& map) {
+  std::vector<PlacedScan> placed;
+  placed.reserve(map.kept_scans.size());
+  for (const KeptScan& kept : map.kept_scans) {
+    const MappedScan& mapped = map.scans[kept.index];
+    if (mapped.status == TrackStatus::kLost || !mapped.is_placed) continue;
+    placed.push_back({kept.scan.get(), mapped.T_map_sensor});
+  }
+  return placed;
+}
+
+OccupancyGrid occupancy_grid(const Map& map, int num_threads, double grid_heading_rad) {
+  return grid_from_scans(placed_scans(map), grid_heading_rad, {.num_threads = num_threads});
+}
+
+}  // namespace setsquare

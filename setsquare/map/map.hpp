@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// What a map is: the data that a mapper returns and that files, reports and the command are made
+// of.
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "setsquare/core/loop_closure.hpp"
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/core/timestamp.hpp"
+#include "setsquare/core/trajectory.hpp"
+#include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/grid/placed_scan.hpp"
+#include "setsquare/map/track_status.hpp"
+#include "setsquare/scan/scan.hpp"
+
+namespace setsquare {
+
+/// A scan in the map.
+struct MappedScan {
+  Timestamp stamp;
+  TrackStatus status = TrackStatus::kTracked;
+  bool is_placed = true;  ///< False in a piece of track that could not be joined to the map.
+  Pose2 T_map_sensor;
+  Pose2 T_map_base;
+  double score = 0.0;         ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
+  bool has_odometry = false;  ///< Whether odometry predicted it.
+  /// Standard deviation of the position along its least certain direction, against the first
+  /// keyframe of the map; infinite where it is not placed, NaN where there is no graph.
+  double position_sigma_m = std::numeric_limits<double>::quiet_NaN();
+};
+
+/// A whole scan that the map keeps to draw walls with.
+struct KeptScan {
+  std::size_t index = 0;  ///< Of Map::scans.
+  std::shared_ptr<const Scan> scan;
+};
+
+/// A pair of places that was compared, with the scans that it is about.
+struct MappedClosure {
+  LoopClosure closure;
+  std::size_t scan_i = 0;
+  std::size_t scan_j = 0;
+};
+
+/// A part of the track that tracking holds together.
+struct TrackPiece {
+  std::size_t first_scan = 0;
+  std::size_t num_scans = 0;
+  bool is_joined = true;  ///< To the largest piece; otherwise its place in the map is not known.
+};
+
+/// A stretch along which the scans left one direction open: a bare corridor.
+struct OpenStretch {
+  std::size_t first_scan = 0;
+  std::size_t num_scans = 0;
+  double way_m = 0.0;           ///< Travelled meanwhile, as far as is known.
+  double direction_rad = 0.0;   ///< The open direction in the map frame, modulo pi.
+  bool has_odometry = false;    ///< Whether odometry stood in all along.
+  double length_sigma_m = 0.0;  ///< Standard deviation of its length, given all other measurements.
+};
+
+/// The heading of one keyframe's sensor, in rad in the map frame.
+struct MappedHeading {
+  double tracked_rad = 0.0;  ///< By tracking alone, drift included.
+  /// Against the building's walls, near the heading in the map; nothing where no wall is believed.
+  std::optional<double> measured_rad;
+  double information_per_rad2 = 0.0;  ///< Of the measurement, robust weight included.
+  double weight = 0.0;                ///< How far the measurement is believed, 0 to 1.
+  std::size_t frame = 0;              ///< Whose walls were measured: index of Map::frames.
+};
+
+/// A part of the building whose walls are square to each other: a wing.
+struct BuildingFrame {
+  double offset_rad = 0.0;  ///< Of its walls against those of the main frame, modulo 90 degrees.
+  double sigma_rad = 0.0;   ///< Standard deviation of the offset; 0 of the main frame.
+  double support = 0.0;     ///< Keyframes that see it, each counted by its confidence.
+};
+
+/// What a mapper knows. The map's axes are those of the building's main frame.
+struct Map {
+  std::vector<MappedScan> scans;        ///< Every scan, in the order in which it came.
+  std::vector<std::size_t> keyframes;   ///< Indices of scans.
+  std::vector<MappedHeading> headings;  ///< One per keyframe; none by PaperMapper.
+  std::vector<BuildingFrame> frames;    ///< The main one first; none by PaperMapper.
+  std::vector<TrackPiece> pieces;       ///< One where tracking was never lost for long.
+  std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
+  std::vector<OpenStretch> open_stretches;
+  std::size_t num_with_odometry = 0;  ///< Scans that came with a pose by wheel odometry.
+  /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
+  /// weights, the headings measured; empty by PaperMapper.
+  PoseGraph graph;
+  /// The keyframes, and the scans that moved on by 0.1 m or 5 degrees since the last one kept.
+  std::vector<KeptScan> kept_scans;
+};
+
+/// Whose poses a trajectory holds.
+enum class PoseOf { kBase, kSensor };
+
+/// The pose of every scan, in the order in which they came.
+[[nodiscard]] Trajectory trajectory_of(const Map& map, PoseOf pose_of = PoseOf::kBase);
+
+/// The closures without the scans, accepted and refused.
+[[nodiscard]] std::vector<LoopClosure> closures_of(const Map& map);
+
+/// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
+/// are left out, for they would smear the walls. The map must outlive them.
+[[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
+
+/// The occupancy grid of placed_scans(). `grid_heading_rad`: direction of its rows in the map
+/// frame. Any number of threads gives the same grid. Takes a good part of the time that mapping
+/// takes.
+[[nodiscard]] OccupancyGrid occupancy_grid(const Map& map,
+                                           int num_threads = 1,
+                                           double grid_heading_rad = 0.0);
+
+}  // namespace setsquare

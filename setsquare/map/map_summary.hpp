@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/map/map.hpp"
+
+namespace setsquare {
+
+/// A map in figures: what the command prints, run.json and the page hold.
+struct MapSummary {
+  std::size_t num_scans = 0;
+  std::size_t num_keyframes = 0;
+  std::size_t num_tracked = 0;  ///< Scans of each status.
+  std::size_t num_degenerate = 0;
+  std::size_t num_recovered = 0;
+  std::size_t num_lost = 0;
+  double path_m = 0.0;  ///< Travelled along the trajectory.
+
+  std::size_t num_compared_closures = 0;
+  std::size_t num_accepted_closures = 0;
+  std::size_t num_one_axis_closures = 0;  ///< Of the accepted.
+  std::size_t num_outvoted_closures = 0;  ///< Of the accepted: final weight below one half.
+
+  std::size_t num_unjoined_pieces = 0;
+  std::size_t num_unjoined_scans = 0;
+  double open_m = 0.0;                ///< Travelled along open stretches.
+  double worst_length_sigma_m = 0.0;  ///< Of the least certain open stretch.
+};
+
+[[nodiscard]] MapSummary summary_of(const Map& map);
+
+/// Consecutive scans of one status other than kTracked.
+struct StatusStretch {
+  TrackStatus status = TrackStatus::kTracked;
+  std::size_t first_scan = 0;
+  std::size_t num_scans = 0;
+  double path_m = 0.0;  ///< Travelled meanwhile.
+};
+
+/// The stretches of a map, in its order.
+[[nodiscard]] std::vector<StatusStretch> status_stretches(const Map& map);
+
+}  // namespace setsquare

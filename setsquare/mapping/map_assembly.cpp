@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/map_assembly.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "setsquare/matching/base_frame.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Which axes of the final map a closure binds: the map may have turned since it was judged.
+ClosureAxes axes_of(const ComparedPlaces& places, const PoseGraph& graph) {
+  if (places.verdict.reason != ClosureReason::kOneAxis) return places.verdict.axes;
+  const Eigen::Matrix2d bound = places.information.topLeftCorner<2, 2>();
+  const Eigen::Vector2d open = weak_direction(bound).direction;
+  return axis_across(std::atan2(open.y(), open.x()) + graph.T_map_node[places.from].theta_rad);
+}
+
+std::vector<Pose2> poses_of_scans(const MapParts& parts) {
+  std::vector<MappedKeyframe> keyframes;
+  const KeyframeTrack& track = parts.track;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const bool begins_piece = k > 0 && track.pieces[k] != track.pieces[k - 1];
+    keyframes.push_back({track.keyframes[k]->scan_index, parts.graph.T_map_node[k], begins_piece});
+  }
+  std::vector<Pose2> T_odom_sensor;
+  T_odom_sensor.reserve(parts.scans.size());
+  for (const TrackedScan& scan : parts.scans) T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
+  return assemble_track(T_odom_sensor, keyframes);
+}
+
+void add_scans(const MapParts& parts, Map& map) {
+  const std::vector<Pose2> T_map_sensor = poses_of_scans(parts);
+  map.scans.reserve(parts.scans.size());
+  for (std::size_t i = 0; i < parts.scans.size(); ++i) {
+    const TrackedScan& scan = parts.scans[i];
+    map.scans.push_back({.stamp = scan.stamp,
+                         .status = scan.tracked.status,
+                         .T_map_sensor = T_map_sensor[i],
+                         .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse(),
+                         .score = scan.tracked.score,
+                         .has_odometry = scan.tracked.has_odometry});
+  }
+  for (const TrackPiece& piece : map.pieces) {
+    for (std::size_t i = 0; i < piece.num_scans; ++i) {
+      map.scans[piece.first_scan + i].is_placed = piece.is_joined;
+    }
+  }
+}
+
+void add_headings(const FusedHeadings& fused, Map& map) {
+  for (const HeadingFrame& frame : fused.frames) {
+    map.frames.push_back({frame.offset_rad, frame.sigma_rad, frame.support});
+  }
+  for (std::size_t k = 0; k < fused.heading_rad.size(); ++k) {
+    MappedHeading heading{.tracked_rad = fused.heading_rad[k] - fused.drift_rad[k],
+                          .measured_rad = std::nullopt,
+                          .information_per_rad2 = fused.measured_information[k],
+                          .weight = fused.weight[k]};
+    if (fused.frame[k] >= 0) {
+      heading.measured_rad = fused.measured_heading_rad[k];
+      heading.frame = static_cast<std::size_t>(fused.frame[k]);
+    }
+    map.headings.push_back(heading);
+  }
+}
+
+}  // namespace
+
+Map assemble_map(const MapParts& parts) {
+  Map map;
+  for (const KeyframePtr& keyframe : parts.track.keyframes) {
+    map.keyframes.push_back(keyframe->scan_index);
+  }
+  map.pieces = pieces_of(parts.track, parts.is_joined, parts.scans.size());
+  add_scans(parts, map);
+  add_headings(parts.headings, map);
+  map.closures = mapped_closures(parts.track, parts.compared, parts.graph);
+  map.graph = graph_of_base(parts.track, parts.graph);
+  map.kept_scans.assign(parts.kept_scans.begin(), parts.kept_scans.end());
+  return map;
+}
+
+std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
+                                           std::span<const ComparedPlaces> compared,
+                                           const PoseGraph& graph) {
+  std::vector<double> weights(compared.size(), 0.0);
+  for (const Constraint& constraint : graph.constraints) {
+    if (constraint.kind == ConstraintKind::kLoopClosure) {
+      weights[constraint.source] = constraint.weight;
+    }
+  }
+  std::vector<MappedClosure> closures;
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    const ComparedPlaces& places = compared[i];
+    const Scan& scan_i = track.keyframes[places.from]->scan;
+    const Scan& scan_j = track.keyframes[places.to]->scan;
+    MappedClosure mapped;
+    mapped.scan_i = track.keyframes[places.from]->scan_index;
+    mapped.scan_j = track.keyframes[places.to]->scan_index;
+    mapped.closure = {
+        .stamp_i = scan_i.stamp,
+        .stamp_j = scan_j.stamp,
+        .T_i_j = scan_i.T_base_sensor * places.T_from_to * scan_j.T_base_sensor.inverse(),
+        .axes = axes_of(places, graph),
+        .is_accepted = is_accepted(places.verdict.reason),
+        .weight = weights[i],
+        .reason = std::string(to_string(places.verdict.reason))};
+    closures.push_back(std::move(mapped));
+  }
+  return closures;
+}
+
+std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
+                                  const std::vector<bool>& is_joined,
+                                  std::size_t num_scans) {
+  std::vector<TrackPiece> pieces;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    if (track.pieces[k] < pieces.size()) continue;
+    const std::size_t first = pieces.empty() ? 0 : track.keyframes[k]->scan_index;
+    if (!pieces.empty()) pieces.back().num_scans = first - pieces.back().first_scan;
+    pieces.push_back({first, num_scans - first, is_joined[track.pieces[k]]});
+  }
+  return pieces;
+}
+
+PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph) {
+  PoseGraph of_base = graph;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    of_base.T_map_node[k] = graph.T_map_node[k] * track.keyframes[k]->scan.T_base_sensor.inverse();
+  }
+  for (Constraint& constraint : of_base.constraints) {
+    const Pose2& from = track.keyframes[constraint.from]->scan.T_base_sensor;
+    const Pose2& to = track.keyframes[constraint.to]->scan.T_base_sensor;
+    constraint.information =
+        information_of_base(constraint.information, constraint.T_from_to, from, to);
+    constraint.T_from_to = from * constraint.T_from_to * to.inverse();
+  }
+  for (HeadingMeasurement& heading : of_base.headings) {
+    heading.heading_rad = wrap_to_pi(heading.heading_rad -
+                                     track.keyframes[heading.node]->scan.T_base_sensor.theta_rad);
+  }
+  return of_base;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// From the sensor's poses, in which the mapper works, to the robot's, which a map holds.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/headings/fusion.hpp"
+#include "setsquare/map/map.hpp"
+#include "setsquare/mapping/keyframe_track.hpp"
+#include "setsquare/mapping/loops/verdict.hpp"
+#include "setsquare/tracking/tracked_pose.hpp"
+
+namespace setsquare {
+
+/// What the mapper keeps of each scan.
+struct TrackedScan {
+  Timestamp stamp;
+  TrackedPose tracked;
+  Pose2 T_base_sensor;
+};
+
+/// All that a map is made of; everything must outlive the call. Poses are those of the sensors.
+struct MapParts {
+  std::span<const TrackedScan> scans;
+  std::span<const KeptScan> kept_scans;
+  const KeyframeTrack& track;
+  FusedHeadings headings = {};
+  std::span<const ComparedPlaces> compared = {};
+  std::vector<bool> is_joined = {};  ///< One per piece of the track.
+  /// A node per keyframe. The source of an accepted closure's constraint is its index in
+  /// `compared`.
+  PoseGraph graph = {};
+};
+
+/// The map, but for what is certain of it (add_certainty).
+[[nodiscard]] Map assemble_map(const MapParts& parts);
+
+/// What was compared, with the final weights of what was accepted: those of the graph's
+/// constraints, whose source is the index in `compared`.
+[[nodiscard]] std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
+                                                         std::span<const ComparedPlaces> compared,
+                                                         const PoseGraph& graph);
+
+/// The pieces of the track as ranges of scans: each begins with its first keyframe, the first one
+/// with the log.
+[[nodiscard]] std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
+                                                const std::vector<bool>& is_joined,
+                                                std::size_t num_scans);
+
+/// The same graph of the poses of `base`.
+[[nodiscard]] PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph);
+
+}  // namespace setsquare

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <string>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/map/map_summary.hpp"
+#include "setsquare/report/map/page.hpp"
+
+namespace setsquare {
+namespace {
+
+std::string text_from(double value, int num_decimals) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", num_decimals, value);
+  return text;
+}
+
+class Figures {
+ public:
+  explicit Figures(std::vector<ReportFigure>& figures) : figures_(figures) {}
+
+  void add(const std::string& group,
+           const std::string& name,
+           const std::string& value,
+           const std::string& unit = "",
+           const std::string& explanation = "") {
+    figures_.push_back({group, name, value, unit, explanation});
+  }
+  void add(const std::string& group,
+           const std::string& name,
+           std::size_t count,
+           const std::string& explanation = "") {
+    add(group, name, std::to_string(count), "", explanation);
+  }
+
+ private:
+  std::vector<ReportFigure>& figures_;
+};
+
+void add_track_figures(const MapSummary& summary, std::size_t num_with_odometry, Figures& figures) {
+  figures.add("Track", "scans", summary.num_scans);
+  figures.add(
+      "Track",
+      "with odometry",
+      num_with_odometry,
+      "Scans whose motion the robot's wheels told, too; they are a witness, not the truth.");
+  figures.add("Track", "way", text_from(summary.path_m, 1), "m");
+  figures.add("Track", "keyframes", summary.num_keyframes, "Scans that the map is built of.");
+  figures.add("Track",
+              "degenerate",
+              summary.num_degenerate,
+              "Scans whose walls leave one direction open, as in a bare corridor.");
+  figures.add("Track",
+              "recovered",
+              summary.num_recovered,
+              "Scans found again, anywhere and at any turn, after tracking had lost them.");
+  figures.add("Track",
+              "lost",
+              summary.num_lost,
+              "Scans that fit nowhere: their poses are guesses, and the map leaves them out.");
+  figures.add("Track",
+              "pieces not joined",
+              summary.num_unjoined_pieces,
+              "Stretches of which nobody knows where they lie in the map; they are left out.");
+}
+
+void add_closure_figures(const MapSummary& summary, Figures& figures) {
+  figures.add("Loop closures",
+              "compared",
+              summary.num_compared_closures,
+              "Pairs of places near each other.");
+  figures.add("Loop closures", "accepted", summary.num_accepted_closures);
+  figures.add("Loop closures",
+              "of one axis",
+              summary.num_one_axis_closures,
+              "Accepted across a corridor, open along it.");
+  figures.add("Loop closures",
+              "outvoted",
+              summary.num_outvoted_closures,
+              "Accepted at first, then at odds with all the others: weight below one half.");
+}
+
+void add_building_figures(const Map& map, const MapSummary& summary, Figures& figures) {
+  for (const BuildingFrame& frame : map.frames) {
+    figures.add("Building",
+                "walls at",
+                text_from(deg_from_rad(frame.offset_rad), 2),
+                "deg",
+                "A direction, modulo 90 degrees, along which walls run.");
+  }
+  figures.add("Building",
+              "way in bare corridors",
+              text_from(summary.open_m, 1),
+              "m",
+              "Where no scan determines the motion along the corridor.");
+  figures.add("Building",
+              "their length is known to",
+              text_from(summary.worst_length_sigma_m, 2),
+              "m",
+              "Standard deviation of the least certain of them, given odometry and closures.");
+}
+
+}  // namespace
+
+std::vector<ReportFigure> map_figures(const Map& map) {
+  const MapSummary summary = summary_of(map);
+  std::vector<ReportFigure> rows;
+  Figures figures(rows);
+  add_track_figures(summary, map.num_with_odometry, figures);
+  add_closure_figures(summary, figures);
+  add_building_figures(map, summary, figures);
+  return rows;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/map/track_status.hpp"
+#include "setsquare/tracking/weak_direction.hpp"
+
+namespace setsquare {
+
+/// A scan placed by tracking, with its evidence. A header of its own: who feeds a Mapper sees this,
+/// and nothing else of the tracker.
+struct TrackedPose {
+  TrackStatus status = TrackStatus::kTracked;
+  Pose2 T_odom_sensor;
+  bool is_keyframe = false;
+  bool is_restart = false;    ///< Lost for so long that the submap begins anew with this scan.
+  bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
+  double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
+  WeakDirection weak;  ///< In the odom frame.
+};
+
+}  // namespace setsquare
