@@ -21,7 +21,7 @@ struct MappedScan {
   Pose2 T_map_sensor;
   Pose2 T_map_base;
   double score = 0.0;             ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
-  double effective_points = 0.0;  ///< See WeakDirection; 0 by PaperMapper.
+  double effective_points = 0.0;  ///< See OpenDirection; 0 by PaperMapper.
   bool has_odometry = false;      ///< Whether odometry predicted it.
 };
 

@@ -221,7 +221,7 @@ MappedTrack Mapper::assemble(MappedTrack mapped,
                             .T_map_sensor = T_map_sensor[i],
                             .T_map_base = T_map_sensor[i] * entry.T_base_sensor.inverse(),
                             .score = entry.tracked.score,
-                            .effective_points = entry.tracked.weak.effective_points,
+                            .effective_points = entry.tracked.open.effective_points,
                             .has_odometry = entry.tracked.has_odometry});
   }
   mapped.pieces = pieces_of(track_, joined.is_joined, scans_.size());
