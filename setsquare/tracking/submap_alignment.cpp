@@ -18,6 +18,8 @@ constexpr std::int32_t kCompared = 1;
 constexpr std::int32_t kExplained = 2;
 constexpr std::int32_t kContradicted = 4;
 
+/// Counts points for the score and has no part in the pose: a surface that is seen again is found
+/// within it. AlignmentScale says what the pose depends on.
 constexpr float kExplainedDistance_m = 0.10F;
 
 Ints spread_bits(std::int32_t value) { return Ints{value, value, value, value}; }
@@ -74,6 +76,7 @@ PointSums sum_lines(const SurfaceImage& image,
     std::memcpy(&marks[first], &bits, sizeof bits);
     const Ints is_pair = p.is_compared & faces_alike;
     sums.num_pairs -= is_pair;  // a set mask is -1
+    // Geman and McClure's weight (core/robust_weight), four at a time.
     const Floats ratio = p.distance_m * p.distance_m * inverse_square;
     const Floats root = 1.0F / (1.0F + ratio);
     const Ints is_near = is_pair & (absolute(p.distance_m) <= gate_m);
