@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace setsquare::peers {
 namespace {
@@ -29,11 +30,9 @@ Pose2 error_of(const Pose2& T_sensor_sensor, const ScanPair& pair) {
   return pair.T_reference_current.inverse() * T_reference_current;
 }
 
-double median(std::vector<double> values) {
+double median_time_ms(std::vector<double> values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  return upper_median(std::move(values));
 }
 
 struct Tally {
@@ -70,7 +69,7 @@ std::vector<MatcherScore> compare(const std::vector<Matcher>& matchers,
     scores.push_back({.name = matchers[m].name,
                       .success = tallies[m].num_success / num_pairs,
                       .tight = tallies[m].num_tight / num_pairs,
-                      .median_ms = median(std::move(tallies[m].times_ms))});
+                      .median_ms = median_time_ms(std::move(tallies[m].times_ms))});
   }
   return scores;
 }

@@ -8,8 +8,8 @@
 #include <array>
 
 #include "benchmarks/stages/office_scan.hpp"
-#include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/alignment.hpp"
 #include "setsquare/surfaces/correlation_grid.hpp"
 
 namespace setsquare::benchmarks {
@@ -47,7 +47,7 @@ BENCHMARK(preparation)->Arg(180)->Arg(360)->Arg(1081)->Unit(benchmark::kMicrosec
 void correlation_grid(benchmark::State& state) {
   const PreparedScan reference = prepare(reference_scan(state));
   for (auto _ : state) {
-    benchmark::DoNotOptimize(CorrelationGrid(reference.points, reference.image));
+    benchmark::DoNotOptimize(CorrelationGrid(reference.points(), reference.image()));
   }
 }
 BENCHMARK(correlation_grid)->Arg(180)->Arg(360)->Arg(1081)->Unit(benchmark::kMicrosecond);
@@ -67,7 +67,7 @@ BENCHMARK(rotation_proposals)->Arg(180)->Arg(1081)->Unit(benchmark::kMicrosecond
 void translation_proposals(benchmark::State& state) {
   const PreparedScan reference = prepare(reference_scan(state));
   const PreparedScan current = prepare(current_scan(state));
-  const CorrelationGrid grid(reference.points, reference.image);
+  const CorrelationGrid grid(reference.points(), reference.image());
   std::vector<TranslationProposal> proposals;
   for (auto _ : state) {
     proposals.clear();

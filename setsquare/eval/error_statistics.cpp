@@ -6,17 +6,9 @@
 #include <cmath>
 #include <vector>
 
+#include "setsquare/core/median.hpp"
+
 namespace setsquare {
-namespace {
-
-double median_of(std::span<const double> values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t middle = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[middle] : 0.5 * (sorted[middle - 1] + sorted[middle]);
-}
-
-}  // namespace
 
 ErrorStatistics error_statistics(std::span<const double> values) {
   if (values.empty()) return {};
@@ -33,7 +25,7 @@ ErrorStatistics error_statistics(std::span<const double> values) {
   return {values.size(),
           mean,
           std::sqrt(sum_of_squares / num_values),
-          median_of(values),
+          median({values.begin(), values.end()}),
           *std::max_element(values.begin(), values.end()),
           std::sqrt(squared_deviations / num_values)};
 }

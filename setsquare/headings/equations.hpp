@@ -45,7 +45,7 @@ class TridiagonalFactor {
 
 /// The drifts of a chain of keyframes and the offsets of the building's frames.
 struct HeadingSolution {
-  std::vector<double> drift_rad;  ///< One a keyframe.
+  std::vector<double> drift_rad;  ///< One per keyframe.
   Eigen::VectorXd offset_rad;     ///< One a frame beside the main one.
 };
 

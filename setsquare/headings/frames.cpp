@@ -160,7 +160,7 @@ class PieceChain {
   const HeadingTrace& trace_;
   double period_rad_;
   const HeadingFramesParams& params_;
-  std::size_t frame_ = kNoFrame;  ///< Of the piece before, if that told one.
+  std::size_t frame_ = kNoFrame;  ///< Of the piece before, if that gave one.
   double drift_rad_ = 0.0;        ///< At the end of the piece before.
 };
 

@@ -36,7 +36,7 @@ struct HeadingFrame {
 /// The frames of a building, and what the trace says of the drift once they are known.
 struct HeadingFrames {
   std::vector<HeadingFrame> frames;  ///< The main one first, by falling support; never empty.
-  std::vector<double> drift_rad;     ///< One a keyframe, unwrapped; rough, to half a bin or so.
+  std::vector<double> drift_rad;     ///< One per keyframe, unwrapped; rough, to half a bin or so.
   /// Standard deviation of each tracked rotation: as the evidence has it, widened where it slipped.
   std::vector<double> step_sigma_rad;
   /// Share of the log's proposals, each counted by its confidence, that the trace explains: next

@@ -65,7 +65,7 @@ struct FusedHeadings {
 /// snapped. A building may have several frames: wings at odd angles.
 ///
 /// 1. The walls' offset is traced through outliers and from wing to wing (trace_headings).
-/// 2. Drift and changes of frame are told apart (find_heading_frames).
+/// 2. Drift and changes of frame are kept apart (find_heading_frames).
 /// 3. Each proposal is taken for a measurement of the frame that it fits, if it fits any; a
 ///    keyframe between two wings may measure both.
 /// 4. Robust least squares over the chain: a measurement binds its keyframe's drift and its frame's

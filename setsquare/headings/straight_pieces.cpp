@@ -5,6 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "setsquare/core/median.hpp"
 
 namespace setsquare {
 namespace {
@@ -148,9 +152,7 @@ double surface_noise_m(const PointSet& points, double max_gap_m) {
     distances_m.push_back(Chord(points, i - 1, i + 1).distance_of(i));
   }
   if (distances_m.size() < kMinSamples) return 0.0;
-  const auto middle = distances_m.begin() + static_cast<std::ptrdiff_t>(distances_m.size() / 2);
-  std::nth_element(distances_m.begin(), middle, distances_m.end());
-  return *middle / kMedianOfNoise;
+  return upper_median(std::move(distances_m)) / kMedianOfNoise;
 }
 
 std::vector<StraightPiece> straight_pieces(const PointSet& points,

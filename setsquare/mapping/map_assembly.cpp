@@ -14,7 +14,7 @@ namespace {
 ClosureAxes axes_of(const ComparedPlaces& places, const PoseGraph& graph) {
   if (places.verdict.reason != ClosureReason::kOneAxis) return places.verdict.axes;
   const Eigen::Matrix2d bound = places.information.topLeftCorner<2, 2>();
-  const Eigen::Vector2d open = weak_direction(bound).direction;
+  const Eigen::Vector2d open = open_direction(bound).direction;
   return axis_across(std::atan2(open.y(), open.x()) + graph.T_map_node[places.from].theta_rad);
 }
 

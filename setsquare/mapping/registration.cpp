@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <optional>
 #include <utility>
 
+#include "setsquare/core/damped_step.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/graph/gauss_newton.hpp"
@@ -42,7 +42,7 @@ void visit_pairs_about(const Constraint& closure, const KeyframeTrack& track, Vi
   }
 }
 
-/// Earlier keyframes that saw the same place, a list a keyframe.
+/// Earlier keyframes that saw the same place, a list per keyframe.
 std::vector<std::vector<std::size_t>> revisited_keyframes(const KeyframeTrack& track,
                                                           std::span<const Constraint> closures,
                                                           const PoseGraph& graph,
@@ -76,7 +76,7 @@ std::optional<Constraint> compare(const KeyframeTrack& track,
                                   const PoseGraph& graph,
                                   const RegistrationParams& params,
                                   PointMarks& marks) {
-  const PlacedImage placed{&track.keyframes[reference]->image, {}};
+  const PlacedImage placed{&track.keyframes[reference]->image(), {}};
   const Pose2 T = graph.T_map_node[reference].inverse() * graph.T_map_node[current];
   const SubmapAlignment found = align_with_submap({&placed, 1}, points, T, params.scale, marks);
   if (found.num_compared < kMinCompared ||
@@ -84,18 +84,16 @@ std::optional<Constraint> compare(const KeyframeTrack& track,
       found.num_contradicted > params.max_contradicted * found.num_compared) {
     return std::nullopt;
   }
-  const Eigen::Matrix3d damped = found.hessian + kPairDamping * Eigen::Matrix3d::Identity();
-  const Eigen::Vector3d step = damped.ldlt().solve(-found.gradient);
   Constraint constraint;
   constraint.from = reference;
   constraint.to = current;
-  constraint.T_from_to = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
+  constraint.T_from_to = stepped(T, damped_step({found.hessian, found.gradient}, kPairDamping));
   constraint.information = found.hessian / (params.point_sigma_m * params.point_sigma_m);
   constraint.kind = ConstraintKind::kOdometry;
   return constraint;
 }
 
-/// Whether one of the pairs about a closure was compared. `compared`: a list a keyframe.
+/// Whether one of the pairs about a closure was compared. `compared`: a list per keyframe.
 bool is_compared(const Constraint& closure,
                  const KeyframeTrack& track,
                  const std::vector<std::vector<Constraint>>& compared) {
@@ -127,7 +125,7 @@ void register_keyframes(const KeyframeTrack& track,
     const auto earlier = revisited_keyframes(track, closures, graph, params.max_revisits);
     std::vector<std::vector<Constraint>> compared(track.size());
     run_in_parallel(track.size(), num_threads, [&](std::size_t k) {
-      const SurfacePoints& points = track.keyframes[k]->points;
+      const SurfacePoints& points = track.keyframes[k]->points();
       const SurfaceSamples samples = sample_surface(points, points.size());
       PointMarks marks;
       const auto add = [&](std::size_t reference) {

@@ -2,14 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/answer.hpp"
 
-#include <array>
 #include <cmath>
 #include <optional>
 #include <vector>
 
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/information.hpp"
-#include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
 #include "setsquare/matching/verdict.hpp"
 #include "setsquare/paper/projected_profile.hpp"
@@ -17,9 +15,6 @@
 
 namespace setsquare {
 namespace {
-
-constexpr std::array kFinalTolerances_m{0.2, 0.15, 0.1};
-constexpr double kFinalTolerance_m = 0.1;
 
 /// Direction of the reference's walls modulo 90 deg, to a bin: good enough for a profile.
 double wall_direction(const AngleHistogram& histogram) {
@@ -51,14 +46,6 @@ std::vector<double> coordinates(const SurfaceSamples& samples, const Pose2& T, d
   return along_m;
 }
 
-TwoWayEvidence two_way_evidence(const PreparedScan& reference,
-                                const PreparedScan& current,
-                                const Pose2& T) {
-  constexpr double kTolerance_m = 0.2;
-  return {align_one_way(reference.image, current.fine, T, kTolerance_m).evidence,
-          align_one_way(current.image, reference.fine, T.inverse(), kTolerance_m).evidence};
-}
-
 /// The best candidate that is another answer than the first.
 std::optional<RunnerUp> runner_up(std::span<const Candidate> candidates,
                                   const AnswerParams& params) {
@@ -70,18 +57,68 @@ std::optional<RunnerUp> runner_up(std::span<const Candidate> candidates,
   return std::nullopt;
 }
 
-/// Names the direction that the walls leave free, or, in a round hall, none: there it is the
-/// rotation; and takes it out of the information.
-void forget_what_is_not_held(const WallConstraint& constraint,
-                             const AnswerParams& params,
-                             MatchResult& result) {
-  Eigen::Vector3d free = Eigen::Vector3d::UnitZ();
-  if (constraint.turning_m3 >= params.min_turning_m3) {
-    const double direction_rad = constraint.weakest_direction_rad;
-    result.degenerate_direction_rad = direction_rad;
-    free = {std::cos(direction_rad), std::sin(direction_rad), 0.0};
-  }
-  result.information = without_direction(result.information, free);
+/// Measured where the search left the best candidate: candidates are compared by these.
+struct CandidateMeasures {
+  double score = 0.0;
+  double agreement = 0.0;      ///< Share of the wall that was compared.
+  double contradiction = 0.0;  ///< Likewise.
+  std::optional<RunnerUp> runner_up;
+};
+
+CandidateMeasures measure_candidate(std::span<const Candidate> candidates,
+                                    const AnswerParams& params) {
+  const Candidate& best = candidates.front();
+  return {.score = best.score,
+          .agreement = best.evidence.agreeing_m / best.evidence.wall_m,
+          .contradiction = best.evidence.contradicted_m / best.evidence.wall_m,
+          .runner_up = runner_up(candidates, params)};
+}
+
+/// Measured at the refined pose, which is the answer's.
+struct PoseMeasures {
+  TwoWayEvidence two_way;
+  double overlap = 0.0;  ///< Share of the current scan's wall that agrees with the reference's.
+  AxisZncc zncc;
+  double distinct_wall_m = 0.0;
+};
+
+PoseMeasures measure_pose(const PreparedScan& reference,
+                          const PreparedScan& current,
+                          const Pose2& T,
+                          const MatchParams& params) {
+  const double tolerance_m = params.score.tolerance_m;
+  const Evidence seen = align_one_way(reference.image(), current.fine, T, tolerance_m).evidence;
+  const Evidence seen_back =
+      align_one_way(current.image(), reference.fine, T.inverse(), tolerance_m).evidence;
+  return {.two_way = {.forward = seen, .backward = seen_back},
+          .overlap = seen.wall_m > 0.0 ? seen.agreeing_m / seen.wall_m : 0.0,
+          .zncc = axis_zncc(reference, current, T),
+          .distinct_wall_m = distinct_wall_m(
+              reference.fine_alignment(), current.fine_alignment(), T, params.distinct_wall)};
+}
+
+/// From the best candidate to the answer's pose.
+SweepRefinement refine_answer(const PreparedScan& reference,
+                              const PreparedScan& current,
+                              const Candidate& best,
+                              const MatchParams& params) {
+  const Pose2 T_rigid = refine(reference.dense_alignment(),
+                               current.dense_alignment(),
+                               best.T_reference_current,
+                               params.refinement.final_tolerances_m);
+  return refine_with_turns(reference.swept(),
+                           current.swept(),
+                           T_rigid,
+                           params.refinement.sweep_tolerance_m,
+                           params.sweep);
+}
+
+/// The direction of the position that the walls leave open; none in a round hall, where it is the
+/// rotation that they leave open.
+std::optional<double> open_direction_rad(const WallConstraint& constraint,
+                                         const AnswerParams& params) {
+  if (constraint.turning_m3 < params.min_turning_m3) return std::nullopt;
+  return constraint.open_direction_rad;
 }
 
 }  // namespace
@@ -104,42 +141,36 @@ MatchResult answer(const PreparedScan& reference,
                    const PreparedScan& current,
                    std::span<const Candidate> candidates,
                    const MatchParams& params) {
+  if (candidates.empty()) return {.status = MatchStatus::kNoOverlap};
+  const SweepRefinement refined = refine_answer(reference, current, candidates.front(), params);
+  const CandidateMeasures ranked = measure_candidate(candidates, params.answer);
+  const PoseMeasures measured =
+      measure_pose(reference, current, refined.T_reference_current, params);
+  const WallConstraint constraint = wall_constraint(refined.pose_hessian);
+
   MatchResult result;
-  if (candidates.empty()) {
-    result.status = MatchStatus::kNoOverlap;
-    return result;
-  }
-  const Candidate& best = candidates.front();
-  const Pose2 T_rigid = refine(reference.dense_alignment(),
-                               current.dense_alignment(),
-                               best.T_reference_current,
-                               kFinalTolerances_m);
-  const SweepRefinement refined =
-      refine_with_turns(reference.swept(), current.swept(), T_rigid, kFinalTolerance_m);
-  const Pose2& T = refined.T_reference_current;
-  const TwoWayEvidence two_way = two_way_evidence(reference, current, T);
-
-  result.T_reference_current = T;
+  result.status = verdict({.candidates = candidates,
+                           .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
+                           .constraint = constraint,
+                           .two_way = measured.two_way,
+                           .distinct_wall_m = measured.distinct_wall_m},
+                          params.answer);
+  result.T_reference_current = refined.T_reference_current;
   result.information = match_information(refined.normal);
-  const AxisZncc axes = axis_zncc(reference, current, T);
-  result.zncc_x = axes.x;
-  result.zncc_y = axes.y;
-  result.score = best.score;
-  result.agreement = best.evidence.agreeing_m / best.evidence.wall_m;
-  result.contradiction = best.evidence.contradicted_m / best.evidence.wall_m;
-  const Evidence& seen = two_way.forward;
-  result.overlap = seen.wall_m > 0.0 ? seen.agreeing_m / seen.wall_m : 0.0;
-  result.runner_up = runner_up(candidates, params.answer);
-
-  const VerdictEvidence evidence{
-      .candidates = candidates,
-      .runner_up_score = result.runner_up ? result.runner_up->score : 0.0,
-      .constraint = wall_constraint(refined.pose_hessian),
-      .two_way = two_way,
-      .distinct_wall_m = distinct_wall_m(reference.fine_alignment(), current.fine_alignment(), T)};
-  result.status = verdict(evidence, params.answer);
+  result.score = ranked.score;
+  result.agreement = ranked.agreement;
+  result.contradiction = ranked.contradiction;
+  result.runner_up = ranked.runner_up;
+  result.overlap = measured.overlap;
+  result.zncc_x = measured.zncc.x;
+  result.zncc_y = measured.zncc.y;
   if (result.status == MatchStatus::kDegenerate) {
-    forget_what_is_not_held(evidence.constraint, params.answer, result);
+    const auto open_rad = open_direction_rad(constraint, params.answer);
+    result.degenerate_direction_rad = open_rad;
+    result.information =
+        without_direction(result.information,
+                          open_rad ? Eigen::Vector3d(std::cos(*open_rad), std::sin(*open_rad), 0.0)
+                                   : Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
   }
   return result;
 }

@@ -6,8 +6,8 @@
 
 #include "setsquare/matching/candidates.hpp"
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
 #include "setsquare/scan/match_result.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 

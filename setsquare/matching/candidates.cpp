@@ -3,17 +3,12 @@
 #include "setsquare/matching/candidates.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/trace.hpp"
 
 namespace setsquare {
 namespace {
-
-constexpr std::array kCoarseTolerances_m{0.5, 0.35, 0.25};
-constexpr std::array kFineTolerances_m{0.2};
 
 /// Keeps the best `count` and returns the correlation that a further one must reach.
 int keep_best(std::size_t count, std::vector<TranslationProposal>& proposals) {
@@ -29,14 +24,13 @@ int keep_best(std::size_t count, std::vector<TranslationProposal>& proposals) {
 std::vector<TranslationProposal> propose(const PreparedScan& current,
                                          const CorrelationGrid& grid,
                                          std::span<const RotationProposal> rotations,
-                                         std::size_t max_proposals) {
-  constexpr int kMinCorrelation = 8;
+                                         const SearchParams& search) {
   std::vector<TranslationProposal> proposals;
-  int min_correlation = kMinCorrelation;
+  int min_correlation = search.min_correlation;
   for (const RotationProposal& rotation : rotations) {
     grid.propose_translations(
         current.coarse, {0.0, 0.0, rotation.rotation_rad}, min_correlation, proposals);
-    min_correlation = std::max(min_correlation, keep_best(max_proposals, proposals));
+    min_correlation = std::max(min_correlation, keep_best(search.num_coarse, proposals));
   }
   return proposals;
 }
@@ -105,10 +99,10 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
                                          const MatchParams& params,
                                          MatchTrace* trace) {
   std::vector<Candidate> coarse;
-  for (const auto& proposal : propose(current, grid, rotations, search.num_coarse)) {
+  for (const auto& proposal : propose(current, grid, rotations, search)) {
     coarse.push_back(refined(reference.coarse_alignment(),
                              current.coarse_alignment(),
-                             kCoarseTolerances_m,
+                             params.refinement.coarse_tolerances_m,
                              params.score,
                              candidate_from(proposal)));
   }
@@ -129,7 +123,7 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
   for (Candidate& candidate : fine) {
     candidate = refined(reference.fine_alignment(),
                         current.fine_alignment(),
-                        kFineTolerances_m,
+                        params.refinement.fine_tolerances_m,
                         params.score,
                         candidate);
   }

@@ -7,9 +7,9 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
 #include "setsquare/surfaces/alignment.hpp"
 #include "setsquare/surfaces/correlation_grid.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
 namespace {
@@ -16,13 +17,47 @@ void require(bool holds, const char* name, const char* reason) {
 void validate_search(const SearchParams& search) {
   require(search.num_rotations > 0, "num_rotations", "must be positive");
   require(search.num_fine > 0, "num_fine", "must be positive");
+  require(search.min_correlation > 0, "min_correlation", "must be positive");
   require(search.num_coarse >= search.num_fine, "num_coarse", "must not be below num_fine");
 }
 
 }  // namespace
 
+void RefinementParams::validate() const {
+  for (const double tolerance_m : coarse_tolerances_m) {
+    require_positive(tolerance_m, "coarse_tolerances_m");
+  }
+  for (const double tolerance_m : fine_tolerances_m) {
+    require_positive(tolerance_m, "fine_tolerances_m");
+  }
+  for (const double tolerance_m : final_tolerances_m) {
+    require_positive(tolerance_m, "final_tolerances_m");
+  }
+  require_positive(sweep_tolerance_m, "sweep_tolerance_m");
+}
+
+void SweepParams::validate() const {
+  require_at_least_one(num_steps, "num_steps");
+  require_positive(piece_length_m, "piece_length_m");
+  require_not_negative(unevenness_m, "unevenness_m");
+  require_positive(turn_sigma, "turn_sigma");
+  require_positive(wall_variance_m3, "wall_variance_m3");
+}
+
+void DistinctWallParams::validate() const {
+  require_positive(max_distance_m, "max_distance_m");
+  require_finite(same_line_cosine, "same_line_cosine");
+  require_positive(same_line_m, "same_line_m");
+  require_positive(same_clutter_m, "same_clutter_m");
+  require_positive(max_line_m, "max_line_m");
+}
+
 void MatchParams::validate() const {
   surface.validate();
+  samples.validate();
+  refinement.validate();
+  sweep.validate();
+  distinct_wall.validate();
   require(score.tolerance_m > 0.0, "tolerance_m", "must be positive");
   require(score.contradiction_weight >= 0.0, "contradiction_weight", "must not be negative");
   require(score.usual_contradiction > 0.0, "usual_contradiction", "must be positive");

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "setsquare/surfaces/surface_points.hpp"
+#include "setsquare/surfaces/surface_samples.hpp"
 
 namespace setsquare {
 
@@ -14,13 +16,54 @@ struct SearchParams {
   std::size_t num_rotations = 6;
   std::size_t num_coarse = 10;
   std::size_t num_fine = 3;
+  int min_correlation = 8;  ///< Of a proposal's coarse samples with the grid.
+};
+
+/// Distances beyond which a sample has no part in a Gauss-Newton step: one step per tolerance, wide
+/// ones first to catch, narrow ones last to settle.
+struct RefinementParams {
+  std::array<double, 3> coarse_tolerances_m{0.5, 0.35, 0.25};  ///< Of every proposal.
+  std::array<double, 1> fine_tolerances_m{0.2};                ///< Of the best ones.
+  std::array<double, 3> final_tolerances_m{0.2, 0.15, 0.1};    ///< Of the answer, ...
+  double sweep_tolerance_m = 0.1;  ///< ... and of the answer together with the robot's turns.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// What is taken for true of walls and robots where the turns are estimated.
+struct SweepParams {
+  int num_steps = 3;             ///< Of Gauss and Newton; the start is near.
+  double piece_length_m = 0.25;  ///< Distances nearer than this along the wall share one cause.
+  double unevenness_m = 0.005;   ///< Sigma of a piece as a whole: its own samples do not show it.
+  double turn_sigma = 0.002;     ///< Of a turn, before the scans are seen.
+  /// Variance of a distance times the length of wall over which it stays: what the turns' prior is
+  /// worth against a metre of wall.
+  double wall_variance_m3 = 2.5e-5;
+
+  [[nodiscard]] double turn_weight() const { return wall_variance_m3 / (turn_sigma * turn_sigma); }
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// What counts as wall that agrees at a place and hardly elsewhere (distinct_wall_m).
+struct DistinctWallParams {
+  double max_distance_m = 0.15;    ///< Of a sample from the surface that it agrees with.
+  double same_line_cosine = 0.97;  ///< Samples lie on one line whose normals are so alike ...
+  double same_line_m = 0.25;       ///< ... and that are so near to it.
+  double same_clutter_m = 0.4;     ///< Samples without a line, so near together, are one thing.
+  double max_line_m = 0.5;         ///< No line or thing counts for more.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
   std::size_t min_points = 10;     ///< Returns that a scan must have at least.
   double min_agreement = 0.10;     ///< Share; below it the scans do not overlap.
-  double min_constraint_m = 0.5;   ///< Wall that must hold the weakest direction of the pose.
+  double min_constraint_m = 0.5;   ///< Wall that must hold the open direction of the position.
   double min_turning_m3 = 2.0;     ///< Wall times squared lever arm that must hold the rotation.
   double min_score = 0.24;         ///< An answer stands by its score ...
   double min_margin = 0.08;        ///< ... and a margin above the best different pose,
@@ -45,7 +88,7 @@ struct AnswerParams {
 
 /// Weights of the score, from agreeing, contradicted and hidden shares of the compared wall.
 struct ScoreParams {
-  double tolerance_m = 0.20;      ///< Farther from a surface nothing agrees.
+  double tolerance_m = 0.20;      ///< Farther from a surface nothing agrees. Of the overlap, too.
   double hidden_weight = 0.1;     ///< A return behind the other scan's surface.
   double outside_discount = 0.3;  ///< How little a return counts that the other cannot judge.
   /// Returns where the other scan saw through cost weight * ln(1 + share / usual share): the first
@@ -57,7 +100,11 @@ struct ScoreParams {
 /// Parameters of the default matcher. Every field has a default that serves every sensor and log.
 struct MatchParams {
   SurfaceParams surface;
+  SampleParams samples;
   ScoreParams score;
+  RefinementParams refinement;
+  SweepParams sweep;
+  DistinctWallParams distinct_wall;
   AnswerParams answer;
   SearchParams quick;  ///< Rotations from the walls' directions.
   /// Every rotation of the circle: where the quick search finds nothing that stands.

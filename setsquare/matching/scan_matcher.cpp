@@ -40,11 +40,11 @@ MatchResult match(const PreparedScan& reference,
                   const MatchParams& params,
                   MatchTrace* trace) {
   if (trace != nullptr) *trace = {};
-  if (std::min(reference.points.size(), current.points.size()) < params.answer.min_points) {
+  if (std::min(reference.points().size(), current.points().size()) < params.answer.min_points) {
     return {.status = MatchStatus::kTooFewPoints};
   }
 
-  const CorrelationGrid grid(reference.points, reference.image);
+  const CorrelationGrid grid(reference.points(), reference.image());
   const auto rotations =
       propose_rotations(reference.histogram, current.histogram, params.quick.num_rotations);
   const auto search = [&](std::span<const RotationProposal> tried, const SearchParams& effort) {
@@ -68,7 +68,9 @@ MatchResult match(const PreparedScan& reference,
 
 MatchResult match(const Scan& reference, const Scan& current, const MatchParams& params) {
   params.validate();
-  return match(prepare(reference, params.surface), prepare(current, params.surface), params);
+  return match(prepare(reference, params.surface, params.samples),
+               prepare(current, params.surface, params.samples),
+               params);
 }
 
 }  // namespace setsquare

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
 #include "setsquare/matching/trace.hpp"
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 
@@ -27,8 +27,8 @@ namespace setsquare {
                                 const Scan& current,
                                 const MatchParams& params = {});
 
-/// The same from scans prepared once (`prepare`) with params.surface; the parameters are valid.
-/// `trace`, if any, receives what was considered.
+/// The same from scans prepared once (`prepare`) with params.surface and params.samples; the
+/// parameters are valid. `trace`, if any, receives what was considered.
 [[nodiscard]] MatchResult match(const PreparedScan& reference,
                                 const PreparedScan& current,
                                 const MatchParams& params = {},

@@ -3,12 +3,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/information.hpp"
-#include "setsquare/surfaces/surface_image.hpp"
-#include "setsquare/surfaces/surface_samples.hpp"
+#include "setsquare/matching/match_params.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 /// How the robot turned while the sensor swept, in rad of heading per rad of bearing: unknown, and
@@ -18,17 +17,6 @@ struct SweepTurns {
   double reference = 0.0;
   double current = 0.0;
 };
-
-/// A scan whose samples were measured one after the other.
-struct SweptScan {
-  const SurfaceImage& image;
-  const SurfaceSamples& samples;
-  const std::vector<float>& from_middle_rad;  ///< A sample each: its bearing from middle_rad.
-  double middle_rad = 0.0;  ///< Bearing of the sweep's middle, when the scan's pose is meant.
-};
-
-/// Bearings of the samples from the sweep's middle, in [-pi, pi).
-[[nodiscard]] std::vector<float> bearings_from(double middle_rad, const SurfaceSamples& samples);
 
 using Vector5 = Eigen::Matrix<double, 5, 1>;
 using Matrix5 = Eigen::Matrix<double, 5, 5>;
@@ -48,7 +36,8 @@ struct SweepNormal {
                                        const SweptScan& current,
                                        const Pose2& T_reference_current,
                                        const SweepTurns& turns,
-                                       double tolerance_m);
+                                       double tolerance_m,
+                                       const SweepParams& params = {});
 
 /// A pose refined together with how the robot turned during either sweep.
 struct SweepRefinement {
@@ -59,11 +48,12 @@ struct SweepRefinement {
 };
 
 /// A few Gauss-Newton steps, point to line, in pose and turns. The turns are held near zero as a
-/// robot's are (a standard deviation of 0.002); where the walls leave a direction free the pose
+/// robot's are; where the walls leave a direction free the pose
 /// stays put along it.
 [[nodiscard]] SweepRefinement refine_with_turns(const SweptScan& reference,
                                                 const SweptScan& current,
                                                 const Pose2& T_reference_current,
-                                                double tolerance_m);
+                                                double tolerance_m,
+                                                const SweepParams& params = {});
 
 }  // namespace setsquare

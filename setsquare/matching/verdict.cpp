@@ -61,15 +61,15 @@ WallConstraint wall_constraint(const Eigen::Matrix3d& hessian) {
   const Eigen::Vector2d axis = solver.eigenvectors().col(0);
   const double direction_rad = std::atan2(axis.y(), axis.x());
   return {.all_m = solver.eigenvalues().sum(),
-          .weakest_m = std::max(0.0, solver.eigenvalues()(0)),
+          .open_direction_m = std::max(0.0, solver.eigenvalues()(0)),
           .turning_m3 = std::max(0.0, turning_m3),
-          .weakest_direction_rad = direction_rad - kPi * std::floor(direction_rad / kPi)};
+          .open_direction_rad = direction_rad - kPi * std::floor(direction_rad / kPi)};
 }
 
 MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params) {
   const Evidence& best = evidence.candidates.front().evidence;
   if (!(best.agreeing_m >= params.min_agreement * best.wall_m)) return MatchStatus::kNoOverlap;
-  const bool is_held = evidence.constraint.weakest_m >= params.min_constraint_m &&
+  const bool is_held = evidence.constraint.open_direction_m >= params.min_constraint_m &&
                        evidence.constraint.turning_m3 >= params.min_turning_m3;
   if (!is_held) return MatchStatus::kDegenerate;
   const bool is_alone = stands_out(evidence, params) && !has_rival(evidence.candidates, params) &&

@@ -7,18 +7,19 @@
 
 #include "setsquare/matching/candidates.hpp"
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
 #include "setsquare/scan/match_result.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 
 /// How firmly the walls hold the translation once the rotation is free, and the rotation once the
 /// translation is.
 struct WallConstraint {
-  double all_m = 0.0;       ///< Metres of wall, both directions summed.
-  double weakest_m = 0.0;   ///< Metres of wall that face the weakest direction.
+  double all_m = 0.0;  ///< Metres of wall, both directions summed.
+  double open_direction_m =
+      0.0;                  ///< Metres of wall that hold the position along the open direction.
   double turning_m3 = 0.0;  ///< Metres of wall times squared lever arm: 0 in a bare round hall.
-  double weakest_direction_rad = 0.0;  ///< In the reference's frame, in [0, pi).
+  double open_direction_rad = 0.0;  ///< In the reference's frame, in [0, pi).
 };
 
 /// From the normal equations of the pose, distances weighted by metres of wall.

@@ -21,7 +21,7 @@ struct DirectionGrid {
   }
 };
 
-/// M(theta_j) for every direction of the grid, one a direction, with neighbour differences for
+/// M(theta_j) for every direction of the grid, one per direction, with neighbour differences for
 /// eq. (7): direction_moment(projected_profile(points, theta_j, bins), kNeighbourDifferences), at
 /// a hundredth of its cost. (A coordinate within rounding of a bin's edge may fall on either side.)
 [[nodiscard]] std::vector<double> direction_curve(const PointSet& points,

@@ -17,7 +17,7 @@ DominantDirection largest(const DirectionGrid& grid, const std::vector<double>& 
   return {grid.direction_rad(static_cast<std::size_t>(best - curve.begin())), *best};
 }
 
-/// The argmax of the moment with omega^2, which is dear to compute: directions in the order of
+/// The argmax of the moment with omega^2, which is costly to compute: directions in the order of
 /// their upper bound, until no bound reaches the best moment found.
 DominantDirection largest_squared_frequency(const PointSet& points,
                                             const DirectionGrid& grid,

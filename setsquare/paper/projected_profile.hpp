@@ -37,7 +37,7 @@ struct ProjectedProfile {
   }
 };
 
-/// Coordinate of every point along the projection axis, in m, one a point: eq. (4),
+/// Coordinate of every point along the projection axis, in m, one per point: eq. (4),
 /// rho = d sin(phi + theta), that is the coordinate along (sin theta, cos theta): y once the scan
 /// is turned by theta about the sensor.
 [[nodiscard]] std::vector<double> project(const PointSet& points, double theta_rad);

@@ -4,105 +4,68 @@
 
 #include <cmath>
 
+#include "setsquare/core/damped_step.hpp"
 #include "setsquare/surfaces/lanes.hpp"
-#include "setsquare/surfaces/sector_lanes.hpp"
+#include "setsquare/surfaces/sample_comparison.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Sums over the samples, a lane each; the six products and three moments of b = (n_x, n_y,
-/// n_y q_x - n_x q_y), the derivative of a distance by a motion of the image's frame.
-struct Sums {
+/// The evidence's sums over the samples, four at a time, and the normal equations in a motion of the
+/// image's frame.
+struct EvidenceSums {
   Floats wall{}, agreeing{}, contradicted{}, hidden{}, outside{};
-  Floats xx{}, xy{}, yy{}, xt{}, yt{}, tt{};
-  Floats gx{}, gy{}, gt{};
+  LineSums lines;
+
+  void add(const SampleComparison<Floats>& compared, Floats weight, Floats inverse_tolerance);
 };
 
-struct MovedLanes {
-  Floats x, y, normal_x, normal_y;
-};
-
-void add_samples(const SectorLanes& sector,
-                 const MovedLanes& moved,
-                 Floats weight,
-                 Floats inverse_tolerance,
-                 Sums& sums) {
+void EvidenceSums::add(const SampleComparison<Floats>& compared,
+                       Floats weight,
+                       Floats inverse_tolerance) {
   const Floats zero{};
-  const Floats distance = sector.normal_x * moved.x + sector.normal_y * moved.y - sector.offset_m;
-  const Floats u = distance * inverse_tolerance;
-  const Floats nearness = 1.0F - u * u;
+  const Floats distance = compared.distance_m;
+  const Floats nearness = compared.nearness(inverse_tolerance);
   const Ints is_near = nearness > zero;
-  const Floats cosine = sector.normal_x * moved.normal_x + sector.normal_y * moved.normal_y;
-  const Ints has_normal = (moved.normal_x != zero) | (moved.normal_y != zero);
-  const Floats facing = where(has_normal & (cosine > spread(kMinNormalCosine)), spread(1.0F)) +
-                        where(~has_normal, spread(kClutterWeight));
-  const Floats agreeing = where(is_near, weight * facing * nearness);
+  const Floats near_weight = where(is_near, weight * facing_weight(compared) * nearness);
 
   const Ints is_unseen = distance < spread(-kHalfNoSurface_m);
   const Ints is_before = (distance > zero) | is_unseen;
-  const Ints is_seen_through =
-      (moved.x * moved.x + moved.y * moved.y < sector.free_square_m2) & is_before & ~is_near;
-  sums.wall += weight;
-  sums.agreeing += agreeing;
-  sums.contradicted += where(is_seen_through, weight);
-  sums.outside += where(is_unseen & ~is_seen_through, weight);
-  sums.hidden += where(~(is_near | is_before), weight);
-
-  const Floats w = agreeing * where(is_near, nearness);
-  const Floats bt = sector.normal_y * moved.x - sector.normal_x * moved.y;
-  const Floats wx = w * sector.normal_x;
-  const Floats wy = w * sector.normal_y;
-  const Floats wt = w * bt;
-  const Floats near_distance = where(is_near, distance);
-  sums.xx += wx * sector.normal_x;
-  sums.xy += wx * sector.normal_y;
-  sums.yy += wy * sector.normal_y;
-  sums.xt += wx * bt;
-  sums.yt += wy * bt;
-  sums.tt += wt * bt;
-  sums.gx += wx * near_distance;
-  sums.gy += wy * near_distance;
-  sums.gt += wt * near_distance;
+  const Ints is_seen_through = compared.is_in_free_space() & is_before & ~is_near;
+  wall += weight;
+  agreeing += near_weight;
+  contradicted += where(is_seen_through, weight);
+  outside += where(is_unseen & ~is_seen_through, weight);
+  hidden += where(~(is_near | is_before), weight);
+  lines.add(compared.sector,
+            compared.lever_m(compared.sample.x_m, compared.sample.y_m),
+            near_weight * where(is_near, nearness),
+            where(is_near, distance));
 }
 
-Sums sum_over_samples(const SurfaceImage& image,
-                      const SurfaceSamples& samples,
-                      const Pose2& T_a_b,
-                      double tolerance_m) {
-  const Floats c = spread(static_cast<float>(std::cos(T_a_b.theta_rad)));
-  const Floats s = spread(static_cast<float>(std::sin(T_a_b.theta_rad)));
-  const Floats tx = spread(static_cast<float>(T_a_b.x_m));
-  const Floats ty = spread(static_cast<float>(T_a_b.y_m));
+EvidenceSums sum_over_samples(const SurfaceImage& image,
+                              const SurfaceSamples& samples,
+                              const Pose2& T_a_b,
+                              double tolerance_m) {
   const Floats inverse_tolerance = spread(static_cast<float>(1.0 / tolerance_m));
-  const SurfaceSector* sectors = image.sectors().data();
-  Sums sums;
-  for (std::size_t i = 0; i < samples.padded_size(); i += kLanes) {
-    const Floats x = load_lanes(&samples.x_m[i]);
-    const Floats y = load_lanes(&samples.y_m[i]);
-    const Floats nx = load_lanes(&samples.normal_x[i]);
-    const Floats ny = load_lanes(&samples.normal_y[i]);
-    const MovedLanes moved{
-        c * x - s * y + tx, s * x + c * y + ty, c * nx - s * ny, s * nx + c * ny};
-    const SectorLanes sector = gather(sectors, image.sector_indices(moved.x, moved.y));
-    add_samples(sector, moved, load_lanes(&samples.weight_m[i]), inverse_tolerance, sums);
-  }
+  EvidenceSums sums;
+  compare_by_fours(image, samples, T_a_b, [&](std::size_t first, const auto& compared) {
+    sums.add(compared, load_lanes(&samples.weight_m[first]), inverse_tolerance);
+  });
   return sums;
 }
 
-/// Turns the sums' derivatives b of the image's frame into those of the pose by the 3 x 3 matrix A.
-Alignment alignment_from(const Sums& sums, const Eigen::Matrix3d& A) {
-  Eigen::Matrix3d products;
-  products << sum_of(sums.xx), sum_of(sums.xy), sum_of(sums.xt),  //
-      sum_of(sums.xy), sum_of(sums.yy), sum_of(sums.yt),          //
-      sum_of(sums.xt), sum_of(sums.yt), sum_of(sums.tt);
+/// Turns the sums' derivatives by a motion of the image's frame into those of the pose by the 3 x 3
+/// matrix A.
+Alignment alignment_from(const EvidenceSums& sums, const Eigen::Matrix3d& A) {
   Alignment result;
   result.evidence = {sum_of(sums.wall),
                      sum_of(sums.agreeing),
                      sum_of(sums.contradicted),
                      sum_of(sums.hidden),
                      sum_of(sums.outside)};
-  result.hessian = A * products * A.transpose();
-  result.gradient = A * Eigen::Vector3d(sum_of(sums.gx), sum_of(sums.gy), sum_of(sums.gt));
+  result.hessian = A * sums.lines.hessian() * A.transpose();
+  result.gradient = A * sums.lines.gradient();
   return result;
 }
 
@@ -149,6 +112,21 @@ Alignment align(const AlignedScan& reference,
   result.hessian += backward.hessian;
   result.gradient += backward.gradient;
   return result;
+}
+
+Pose2 refine(const AlignedScan& reference,
+             const AlignedScan& current,
+             const Pose2& T_reference_current,
+             std::span<const double> tolerances_m) {
+  // Holds the pose along a direction that no wall determines (m of wall, m of wall x m^2). Far less
+  // than the wall that any accepted answer has, so that no result depends on it.
+  constexpr double kAlignmentDamping = 0.01;
+  Pose2 T = T_reference_current;
+  for (const double tolerance_m : tolerances_m) {
+    const Alignment alignment = align(reference, current, T, tolerance_m);
+    T = stepped(T, quick_damped_step({alignment.hessian, alignment.gradient}, kAlignmentDamping));
+  }
+  return T;
 }
 
 }  // namespace setsquare

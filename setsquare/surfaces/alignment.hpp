@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <span>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/surfaces/surface_image.hpp"
@@ -10,18 +11,13 @@
 
 namespace setsquare {
 
-/// A sample without a fitted line counts for less: it may be anything.
-inline constexpr float kClutterWeight = 0.3F;
-/// Walls that agree face the same way within this angle's cosine.
-inline constexpr float kMinNormalCosine = 0.7F;
-
 /// How one set of samples falls on a scan's surfaces, in metres of wall.
 struct Evidence {
   double wall_m = 0.0;          ///< All that was compared.
   double agreeing_m = 0.0;      ///< On the surface (weighted by nearness), facing the same way.
   double contradicted_m = 0.0;  ///< Where the scan saw through.
   double hidden_m = 0.0;        ///< Behind the surface: the scan could not see it.
-  double outside_m = 0.0;       ///< Outside the field of view, or where the beam told nothing.
+  double outside_m = 0.0;       ///< Outside the field of view, or where no beam came back.
 
   Evidence& operator+=(const Evidence& other);
 };
@@ -53,5 +49,12 @@ struct AlignedScan {
                                       const SurfaceSamples& samples_b,
                                       const Pose2& T_a_b,
                                       double tolerance_m);
+
+/// Gauss-Newton steps point to line, both ways, one step per tolerance: wide ones first to catch,
+/// narrow ones last to settle. Where the walls leave a direction open the pose stays put along it.
+[[nodiscard]] Pose2 refine(const AlignedScan& reference,
+                           const AlignedScan& current,
+                           const Pose2& T_reference_current,
+                           std::span<const double> tolerances_m);
 
 }  // namespace setsquare

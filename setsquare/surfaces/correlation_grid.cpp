@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstring>
+#include <stdexcept>
 
 #include "setsquare/core/wider_clones.hpp"
 
@@ -140,7 +140,9 @@ void CorrelationGrid::propose_translations(const SurfaceSamples& current,
                                            const Pose2& middle,
                                            int min_correlation,
                                            std::vector<TranslationProposal>& proposals) const {
-  assert(current.size() <= kMaxSamples);
+  if (current.size() > kMaxSamples) {
+    throw std::invalid_argument("CorrelationGrid: more samples than kMaxSamples");
+  }
   const Rows rows = rows_of(current, middle);
   const int floor = std::max(1, min_correlation) + static_cast<int>(rows.count) * kUnknownValue;
   if (floor > 255) return;

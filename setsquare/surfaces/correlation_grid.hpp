@@ -21,14 +21,14 @@ struct TranslationProposal {
 
 /// The reference scan as a small grid of bytes: surfaces positive, free space negative, unknown
 /// zero. One rotation of the current scan is correlated with it under every translation of the
-/// window at once: a sample adds a shifted row, sixteen translations an instruction. It replaces
+/// window at once: a sample adds a shifted row, many translations per instruction. It replaces
 /// the paper's two 1-D correlations, whose best peaks need not belong together, at the same cost.
 class CorrelationGrid {
  public:
   static constexpr double kCell_m = 0.2;
   static constexpr int kHalfWindowCells = 31;  ///< Translations within 6.2 m along each axis.
   static constexpr int kHalfExtentCells = 64;  ///< Surfaces up to 12.8 m from the sensor.
-  static constexpr int kMaxSamples = 60;       ///< Keeps the sums within a byte.
+  static constexpr int kMaxSamples = 60;       ///< Keeps the sums within a byte; more are refused.
 
   static constexpr int kMargin = kHalfWindowCells + 1;
   static constexpr int kWindow = 2 * kMargin;  ///< Translations along an axis; whole vectors.

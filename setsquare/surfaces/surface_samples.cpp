@@ -5,6 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "setsquare/core/parameter_checks.hpp"
+#include "setsquare/surfaces/correlation_grid.hpp"
 #include "setsquare/surfaces/lanes.hpp"
 
 namespace setsquare {
@@ -32,6 +34,15 @@ SurfaceSamples padded(SurfaceSamples samples) {
 }
 
 }  // namespace
+
+void SampleParams::validate() const {
+  require_at_least_one(max_coarse, "max_coarse");
+  if (max_coarse > CorrelationGrid::kMaxSamples) {
+    throw ParameterError("max_coarse", "must be at most 60");
+  }
+  require_at_least_one(max_fine, "max_fine");
+  require_at_least_one(max_dense, "max_dense");
+}
 
 SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples) {
   return sample_surface(points, points.weight_m, max_samples);

@@ -26,11 +26,21 @@ struct SurfaceSamples {
   [[nodiscard]] std::size_t padded_size() const { return x_m.size(); }
 };
 
+/// How many samples stand for a scan.
+struct SampleParams {
+  std::size_t max_coarse = 60;   ///< At most CorrelationGrid::kMaxSamples.
+  std::size_t max_fine = 400;    ///< A few hundred decide as well as all do.
+  std::size_t max_dense = 1200;  ///< More make the pose no better.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);
 /// all of them where they are no more.
 [[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples);
 
-/// The same by other weights than the points' own, one a point, in m.
+/// The same by other weights than the points' own, one per point, in m.
 [[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points,
                                             std::span<const float> weights_m,
                                             std::size_t max_samples);

@@ -7,8 +7,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/scan/scan.hpp"
-#include "setsquare/surfaces/surface_image.hpp"
-#include "setsquare/surfaces/surface_points.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 
@@ -17,9 +16,11 @@ namespace setsquare {
 struct Keyframe {
   std::size_t scan_index = 0;
   Pose2 T_odom_sensor;
-  Scan scan;  ///< For the guess-free matcher, should tracking get lost.
-  SurfacePoints points;
-  SurfaceImage image;
+  Scan scan;
+  ScanSurfacesPtr surfaces;  ///< Of the scan, as tracking made them.
+
+  [[nodiscard]] const SurfacePoints& points() const { return surfaces->points; }
+  [[nodiscard]] const SurfaceImage& image() const { return surfaces->image; }
 };
 
 using KeyframePtr = std::shared_ptr<const Keyframe>;

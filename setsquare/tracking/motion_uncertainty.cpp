@@ -42,7 +42,7 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
                     : 0.0;
       const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
                                                           : params_.open_sigma_per_metre;
-      const Eigen::Vector2d& u = tracked.weak.direction;
+      const Eigen::Vector2d& u = tracked.open.direction;
       // One scan's error is much like the next one's: sigmas add up, not variances.
       open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();
       break;

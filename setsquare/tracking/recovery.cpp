@@ -27,18 +27,18 @@ MatchParams params_of_a_known_place() {
 
 std::optional<RecoveredFit> recover(const TrackingProblem& problem,
                                     std::span<const KeyframePtr> keyframes,
-                                    const Scan& scan,
+                                    const ScanSurfacesPtr& surfaces,
                                     const std::optional<SubmapFit>& tracked,
                                     const RecoveryParams& params,
                                     const SubmapRefinementParams& refinement) {
-  const PreparedScan current = prepare(scan);
+  const PreparedScan current = prepare(surfaces);
   const MatchParams match_params = params_of_a_known_place();
   const std::size_t num_tried = std::min(params.num_keyframes, keyframes.size());
   std::optional<RecoveredFit> best;
   double best_score = tracked ? tracked->alignment.score() + params.min_gain : 0.0;
   for (std::size_t k = 0; k < num_tried; ++k) {
     const Keyframe& keyframe = *keyframes[keyframes.size() - 1 - k];
-    const MatchResult match = setsquare::match(prepare(keyframe.scan), current, match_params);
+    const MatchResult match = setsquare::match(prepare(keyframe.surfaces), current, match_params);
     if (!match.T_reference_current) continue;
     const Pose2 proposal = keyframe.T_odom_sensor * *match.T_reference_current;
     const TrackingProblem at_proposal{

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "setsquare/scan/scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
 
 namespace setsquare {
@@ -13,17 +13,17 @@ namespace setsquare {
 /// A pose found again.
 struct RecoveredFit {
   SubmapFit fit;
-  bool is_far = false;  ///< Far from where the scan was expected: not to be had by tracking.
+  bool is_far = false;  ///< Far from where the scan was expected: tracking could not find it.
 };
 
-/// Looks for a scan that does not fit where it was tracked. The guess-free matcher places it
-/// against the latest of the submap's keyframes, one after the other, anywhere and at any turn;
-/// each proposal is refined in the whole submap. Nothing where none is convincingly better than
-/// `tracked`: a place far from the expected one needs a match that stands alone and a high score.
-/// Without `tracked` (after a gap in the log) nothing is expected: every place is far.
+/// Looks for a scan (its `surfaces`) that does not fit where it was tracked. The guess-free matcher
+/// places it against the latest of the submap's keyframes, one after the other, anywhere and at any
+/// turn; each proposal is refined in the whole submap. Nothing where none is convincingly better
+/// than `tracked`: a place far from the expected one needs a match that stands alone and a high
+/// score. Without `tracked` (after a gap in the log) nothing is expected: every place is far.
 [[nodiscard]] std::optional<RecoveredFit> recover(const TrackingProblem& problem,
                                                   std::span<const KeyframePtr> keyframes,
-                                                  const Scan& scan,
+                                                  const ScanSurfacesPtr& surfaces,
                                                   const std::optional<SubmapFit>& tracked,
                                                   const RecoveryParams& params,
                                                   const SubmapRefinementParams& refinement);

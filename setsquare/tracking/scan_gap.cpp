@@ -33,7 +33,7 @@ bool ScanGap::add(const Scan& scan) {
   if (!before) return false;
   const double pause_s = seconds_between(latest, scan.stamp);
   if (pause_s <= 0.0) return false;
-  if (period_s_ == 0.0) {  // nobody knows whether the first pause is a usual one
+  if (period_s_ == 0.0) {  // the first pause may not be a usual one
     period_s_ = pause_s;
     return false;
   }

@@ -11,83 +11,141 @@
 
 namespace setsquare {
 
+/// The scan that is being placed. Its image is made when it is first asked for: most scans are
+/// neither recovered nor kept.
+class ScanTracker::ArrivedScan {
+ public:
+  ArrivedScan(const Scan& scan, const ScanTrackerParams& params)
+      : scan_(scan),
+        image_params_(params.image),
+        points_(surface_points_from_scan(scan, params.surfaces)) {}
+
+  [[nodiscard]] std::size_t num_points() const { return points().size(); }
+  [[nodiscard]] SurfaceSamples all_points() const {
+    return sample_surface(points(), points().size());
+  }
+  [[nodiscard]] const ScanSurfacesPtr& surfaces() {
+    if (!surfaces_) surfaces_ = scan_surfaces(scan_, std::move(points_), image_params_);
+    return surfaces_;
+  }
+
+ private:
+  [[nodiscard]] const SurfacePoints& points() const {
+    return surfaces_ ? surfaces_->points : points_;
+  }
+
+  const Scan& scan_;
+  const SurfaceImage::Params& image_params_;
+  SurfacePoints points_;  ///< Until they are part of the surfaces.
+  ScanSurfacesPtr surfaces_;
+};
+
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
     : params_(params), motion_(params.num_scans_averaged), gap_(params.gap) {
   params_.validate();
 }
 
 TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
-  SurfacePoints points = surface_points_from_scan(scan, params_.surfaces);
-  const bool sees_enough = points.size() >= params_.min_points;
+  ArrivedScan arrived(scan, params_);
   const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
   const bool has_odometry = motion_.has_odometry(T_wheels_sensor);
-  const bool is_anywhere = gap_.add(scan) && !has_odometry;
-  TrackedPose tracked;
-  tracked.T_odom_sensor = predicted;
-  if (!sees_enough) {
-    tracked.status = TrackStatus::kLost;
-    tracked.score = 0.0;
-  } else if (!submap_.empty()) {
-    tracked =
-        place(scan, sample_surface(points, points.size()), predicted, has_odometry, is_anywhere);
-  }
+  const bool is_behind_gap = gap_.add(scan) && !has_odometry;
+  const Situation situation = situation_of(arrived.num_points(), is_behind_gap);
+  TrackedPose tracked = [&]() -> TrackedPose {
+    switch (situation) {
+      case Situation::kSeesTooLittle:
+        return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = {}};
+      case Situation::kNoSubmap:
+        return {.T_odom_sensor = predicted, .open = {}};
+      case Situation::kExpected:
+        return place_expected(arrived, predicted, has_odometry);
+      case Situation::kAnywhere:
+        return place_anywhere(arrived, predicted);
+    }
+    return {};
+  }();
   tracked.has_odometry = has_odometry;
-  // A scan that sees next to nothing tells nothing against the submap.
-  if (sees_enough) {
-    num_lost_ = tracked.status == TrackStatus::kLost ? num_lost_ + 1 : 0;
-    tracked.is_restart = num_lost_ >= params_.max_lost_scans || (num_lost_ > 0 && is_anywhere);
-    if (tracked.is_restart) start_anew();
-    keep_if_far(scan, std::move(points), tracked);
-  }
+  count_lost(tracked.status, situation);
+  tracked.is_restart = is_restart(situation);
+  if (tracked.is_restart) start_anew();
+  tracked.is_keyframe = situation != Situation::kSeesTooLittle && is_to_be_kept(tracked);
+  if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked.T_odom_sensor);
   motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
   ++num_scans_;
   return tracked;
 }
 
-TrackedPose ScanTracker::place(const Scan& scan,
-                               const SurfaceSamples& points,
-                               const Pose2& predicted,
-                               bool has_odometry,
-                               bool is_anywhere) {
+ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is_behind_gap) const {
+  if (num_points < params_.min_points) return Situation::kSeesTooLittle;
+  if (submap_.empty()) return Situation::kNoSubmap;
+  return is_behind_gap ? Situation::kAnywhere : Situation::kExpected;
+}
+
+TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
+                                        const Pose2& predicted,
+                                        bool has_odometry) {
+  const SurfaceSamples points = scan.all_points();
   const PredictionTrust& trust =
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
-  TrackStatus status = TrackStatus::kTracked;
   // In a bare corridor the walls fit; where they leave a direction open and do not, the place is
   // wrong.
   const double least_score =
-      is_weak(fit) ? params_.recovery.below_score_if_weak : params_.recovery.below_score;
-  if (is_anywhere || fit.alignment.score() < least_score) {
-    const auto expected = is_anywhere ? std::nullopt : std::optional(fit);
+      is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
+  bool is_recovered = false;
+  if (fit.alignment.score() < least_score) {
     const auto found =
-        recover(problem, submap_, scan, expected, params_.recovery, params_.refinement);
-    if (is_anywhere && !found) {
-      return {
-          .status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .weak = fit.weak};
-    }
+        recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
-    if (found && found->is_far) status = TrackStatus::kRecovered;
+    is_recovered = found && found->is_far;
   }
-  if (fit.alignment.score() < params_.lost_below_score) {
-    return {.status = TrackStatus::kLost,
-            .T_odom_sensor = predicted,
-            .score = fit.alignment.score(),
-            .weak = fit.weak};
-  }
-  if (fit.weak.effective_points < params_.corridor.below_effective_points) {
-    fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
-  }
-  if (is_weak(fit) && status == TrackStatus::kTracked) status = TrackStatus::kDegenerate;
-  return {.status = status,
-          .T_odom_sensor = fit.T_odom_sensor,
-          .score = fit.alignment.score(),
-          .weak = fit.weak};
+  return judged(problem, std::move(fit), is_recovered);
 }
 
-bool ScanTracker::is_weak(const SubmapFit& fit) const {
-  return fit.weak.effective_points < params_.refinement.min_effective_points;
+TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicted) {
+  const SurfaceSamples points = scan.all_points();
+  const TrackingProblem problem{
+      submap_images_, points, predicted, params_.trust_in_last_motion, marks_};
+  const auto found = recover(
+      problem, submap_, scan.surfaces(), std::nullopt, params_.recovery, params_.refinement);
+  if (found) return judged(problem, found->fit, found->is_far);
+  const SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
+  return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
+}
+
+TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered) {
+  if (fit.alignment.score() < params_.lost_below_score) {
+    return {.status = TrackStatus::kLost,
+            .T_odom_sensor = problem.T_odom_predicted,
+            .score = fit.alignment.score(),
+            .open = fit.open};
+  }
+  if (fit.open.effective_points < params_.corridor.below_effective_points) {
+    fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
+  }
+  const TrackStatus if_not_recovered =
+      is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked;
+  return {.status = is_recovered ? TrackStatus::kRecovered : if_not_recovered,
+          .T_odom_sensor = fit.T_odom_sensor,
+          .score = fit.alignment.score(),
+          .open = fit.open};
+}
+
+bool ScanTracker::is_open(const SubmapFit& fit) const {
+  return fit.open.effective_points < params_.refinement.min_effective_points;
+}
+
+void ScanTracker::count_lost(TrackStatus status, Situation situation) {
+  if (situation == Situation::kSeesTooLittle) return;
+  num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
+}
+
+bool ScanTracker::is_restart(Situation situation) const {
+  if (situation == Situation::kSeesTooLittle) return false;
+  return num_lost_ >= params_.max_lost_scans ||
+         (num_lost_ > 0 && situation == Situation::kAnywhere);
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.
@@ -97,26 +155,24 @@ void ScanTracker::start_anew() {
   num_lost_ = 0;
 }
 
-void ScanTracker::keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked) {
-  if (!submap_.empty()) {
-    if (tracked.status == TrackStatus::kLost) return;  // It would stand at a guessed place.
-    const Pose2 moved = submap_.back()->T_odom_sensor.inverse() * tracked.T_odom_sensor;
-    const bool is_far = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
-                        std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
-    if (!is_far) return;
-    if (submap_.size() == params_.num_keyframes) {
-      submap_.erase(submap_.begin());
-      submap_images_.erase(submap_images_.begin());
-    }
+bool ScanTracker::is_to_be_kept(const TrackedPose& tracked) const {
+  if (submap_.empty()) return true;
+  if (tracked.status == TrackStatus::kLost) return false;  // It would stand at a guessed place.
+  const Pose2 moved = submap_.back()->T_odom_sensor.inverse() * tracked.T_odom_sensor;
+  return std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
+         std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+}
+
+void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Pose2& T_odom_sensor) {
+  if (submap_.size() == params_.num_keyframes) {
+    submap_.erase(submap_.begin());
+    submap_images_.erase(submap_images_.begin());
   }
-  tracked.is_keyframe = true;
-  SurfaceImage image(scan, points, params_.image);
   submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
-                                                        .T_odom_sensor = tracked.T_odom_sensor,
+                                                        .T_odom_sensor = T_odom_sensor,
                                                         .scan = scan,
-                                                        .points = std::move(points),
-                                                        .image = std::move(image)}));
-  submap_images_.push_back({&submap_.back()->image, tracked.T_odom_sensor});
+                                                        .surfaces = std::move(surfaces)}));
+  submap_images_.push_back({&submap_.back()->image(), T_odom_sensor});
 }
 
 }  // namespace setsquare

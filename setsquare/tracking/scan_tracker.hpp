@@ -37,15 +37,30 @@ class ScanTracker {
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
 
  private:
-  TrackedPose place(const Scan& scan,
-                    const SurfaceSamples& points,
-                    const Pose2& predicted,
-                    bool has_odometry,
-                    bool is_anywhere);
+  /// What is known of a scan before it is placed.
+  enum class Situation {
+    kSeesTooLittle,  ///< Fewer than min_points returns: lost; the submap stays as it is.
+    kNoSubmap,       ///< Nothing to place it against: it begins a submap where it is predicted.
+    kExpected,       ///< Near the predicted pose, but for a slip of tracking.
+    kAnywhere,       ///< A gap in the log, and no odometry: it may be anywhere.
+  };
+  class ArrivedScan;
+
+  [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
+  TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
+  /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
+  TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
   /// Whether a direction is open.
-  [[nodiscard]] bool is_weak(const SubmapFit& fit) const;
+  [[nodiscard]] bool is_open(const SubmapFit& fit) const;
+  /// Counts scans that are lost in a row. A scan that sees next to nothing says nothing against the
+  /// submap.
+  void count_lost(TrackStatus status, Situation situation);
+  /// Whether the submap begins anew with the scan that was counted last.
+  [[nodiscard]] bool is_restart(Situation situation) const;
   void start_anew();
-  void keep_if_far(const Scan& scan, SurfacePoints points, TrackedPose& tracked);
+  [[nodiscard]] bool is_to_be_kept(const TrackedPose& tracked) const;
+  void keep(const Scan& scan, ScanSurfacesPtr surfaces, const Pose2& T_odom_sensor);
 
   ScanTrackerParams params_;
   MotionPrediction motion_;

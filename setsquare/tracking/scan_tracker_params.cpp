@@ -45,7 +45,7 @@ void CorridorSearchParams::validate() const {
 void RecoveryParams::validate() const {
   require_at_least_one(num_keyframes, "recovery.num_keyframes");
   require_finite(below_score, "recovery.below_score");
-  require_finite(below_score_if_weak, "recovery.below_score_if_weak");
+  require_finite(below_score_if_open, "recovery.below_score_if_open");
   require_finite(enough_score, "recovery.enough_score");
   require_finite(far_min_score, "recovery.far_min_score");
   require_not_negative(min_gain, "recovery.min_gain");

@@ -41,7 +41,7 @@ struct SubmapRefinementParams {
 
 /// Parameters of the search along a corridor.
 struct CorridorSearchParams {
-  double below_effective_points = 4.0;  ///< Only scans bound more weakly are searched.
+  double below_effective_points = 4.0;  ///< Scans bound by fewer points are searched.
   double half_range_m = 0.6;            ///< About the prediction.
   double step_m = 0.05;
   double scale_m = 0.06;      ///< Closeness of points to surfaces.
@@ -54,7 +54,7 @@ struct CorridorSearchParams {
 /// Parameters of finding the pose again.
 struct RecoveryParams {
   double below_score = 0.4;          ///< Scans tracked with less are looked at again, ...
-  double below_score_if_weak = 0.7;  ///< ... those that leave a direction open with less than this.
+  double below_score_if_open = 0.7;  ///< ... those that leave a direction open with less than this.
   double min_gain = 0.1;             ///< Another place must beat the tracked score by this much.
   std::size_t num_keyframes = 3;     ///< Matched against, the latest first ...
   double enough_score = 0.8;         ///< ... until one gives this score.

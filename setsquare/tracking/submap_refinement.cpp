@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
+
+#include "setsquare/core/damped_step.hpp"
 
 namespace setsquare {
 namespace {
@@ -12,38 +13,39 @@ namespace {
 /// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
 constexpr double kStepDamping = 1e-3;
 
-/// Takes out what binds the weak direction by chance. Walls that run along it bind it all the same,
+/// Takes out what binds the open direction by chance. Walls that run along it bind it all the same,
 /// by the noise of their normals, and what they say is "stay": a robot in a bare corridor would
 /// come to rest.
-Eigen::Matrix3d without_chance(const WeakDirection& weak, const SubmapRefinementParams& params) {
-  const double share = std::clamp((weak.effective_points - params.chance_points) /
+Eigen::Matrix3d without_chance(const OpenDirection& open, const SubmapRefinementParams& params) {
+  const double share = std::clamp((open.effective_points - params.chance_points) /
                                       (params.min_effective_points - params.chance_points),
                                   0.0,
                                   1.0);
   Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
   kept.topLeftCorner<2, 2>() -=
-      (1.0 - std::sqrt(share)) * weak.direction * weak.direction.transpose();
+      (1.0 - std::sqrt(share)) * open.direction * open.direction.transpose();
   return kept;
 }
 
-/// The Gauss-Newton step, with the prediction along the weak direction.
+/// The Gauss-Newton step, with the prediction along the open direction.
 Eigen::Vector3d step_from(const SubmapFit& fit,
                           const TrackingProblem& problem,
                           const SubmapRefinementParams& params) {
-  const Eigen::Matrix3d kept = without_chance(fit.weak, params);
-  Eigen::Matrix3d hessian =
-      kept * fit.alignment.hessian * kept + kStepDamping * Eigen::Matrix3d::Identity();
-  Eigen::Vector3d gradient = kept * fit.alignment.gradient;
-  const double missing_points = params.min_effective_points - fit.weak.effective_points;
+  const Eigen::Matrix3d kept = without_chance(fit.open, params);
+  NormalEquations<3> prediction;
+  const double missing_points = params.min_effective_points - fit.open.effective_points;
   if (missing_points > 0.0) {
     const double weight = problem.trust.weight * missing_points;
-    const Eigen::Vector2d& u = fit.weak.direction;
+    const Eigen::Vector2d& u = fit.open.direction;
     const Eigen::Vector2d off =
         fit.T_odom_sensor.translation() - problem.T_odom_predicted.translation();
-    hessian.topLeftCorner<2, 2>() += weight * u * u.transpose();
-    gradient.head<2>() += weight * u.dot(off) * u;
+    prediction.hessian.topLeftCorner<2, 2>() = weight * u * u.transpose();
+    prediction.gradient.head<2>() = weight * u.dot(off) * u;
   }
-  Eigen::Vector3d step = hessian.ldlt().solve(-gradient);
+  Eigen::Vector3d step =
+      damped_step({kept * fit.alignment.hessian * kept, kept * fit.alignment.gradient},
+                  kStepDamping,
+                  prediction);
   const double length_m = step.head<2>().norm();
   if (length_m > params.max_step_m) step.head<2>() *= params.max_step_m / length_m;
   return step;
@@ -82,15 +84,15 @@ class CorridorScore {
 SubmapFit refine_in_submap(const TrackingProblem& problem,
                            const Pose2& start,
                            const SubmapRefinementParams& params) {
-  SubmapFit fit{.T_odom_sensor = start, .alignment = {}, .weak = {}};
+  SubmapFit fit{.T_odom_sensor = start, .alignment = {}, .open = {}};
   Pose2 T = start;
   for (int iteration = 0; iteration < params.max_iterations; ++iteration) {
     const AlignmentScale& scale = iteration == 0 ? params.first_step : params.later_steps;
     fit.T_odom_sensor = T;
     fit.alignment = align_with_submap(problem.submap, problem.points, T, scale, problem.marks);
-    fit.weak = weak_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
+    fit.open = open_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
     const Eigen::Vector3d step = step_from(fit, problem, params);
-    T = {T.x_m + step.x(), T.y_m + step.y(), wrap_to_pi(T.theta_rad + step.z())};
+    T = stepped(T, step);
     if (step.head<2>().norm() < params.converged_m && std::abs(step.z()) < params.converged_rad) {
       break;
     }
@@ -103,7 +105,7 @@ SubmapFit search_along_corridor(const TrackingProblem& problem,
                                 const SubmapFit& fit,
                                 const CorridorSearchParams& params,
                                 const SubmapRefinementParams& refinement) {
-  const Eigen::Vector2d direction = fit.weak.direction;
+  const Eigen::Vector2d direction = fit.open.direction;
   const CorridorScore score(problem, direction, params);
   const Pose2 at_prediction =
       moved(fit.T_odom_sensor, direction, -score.off_prediction_m(fit.T_odom_sensor));

@@ -4,9 +4,9 @@
 
 #include <span>
 
+#include "setsquare/tracking/open_direction.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/submap_alignment.hpp"
-#include "setsquare/tracking/weak_direction.hpp"
 
 namespace setsquare {
 /// What a scan is compared with: the submap, and the memory that comparisons reuse.
@@ -22,7 +22,7 @@ struct TrackingProblem {
 struct SubmapFit {
   Pose2 T_odom_sensor;
   SubmapAlignment alignment;  ///< Where the last step began; without the prediction's share.
-  WeakDirection weak;         ///< Of that alignment, in the odom frame.
+  OpenDirection open;         ///< Of that alignment, in the odom frame.
 };
 
 /// Gauss-Newton, point to line, from `start`: wide gate first, narrow gate after. Where fewer than
@@ -32,7 +32,7 @@ struct SubmapFit {
                                          const Pose2& start,
                                          const SubmapRefinementParams& params);
 
-/// Looks along the weak direction of `fit` for a better place. In a corridor the distances to the
+/// Looks along the open direction of `fit` for a better place. In a corridor the distances to the
 /// two walls have no gradient along it; what tells is how many points fit at all (door frames,
 /// recesses, the far end), and that has many small maxima. So a window about the prediction is
 /// tried step by step, its best place refined, and kept if it is closer than `fit`'s.

@@ -4,7 +4,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/map/track_status.hpp"
-#include "setsquare/tracking/weak_direction.hpp"
+#include "setsquare/tracking/open_direction.hpp"
 
 namespace setsquare {
 
@@ -17,7 +17,7 @@ struct TrackedPose {
   bool is_restart = false;    ///< Lost for so long that the submap begins anew with this scan.
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
-  WeakDirection weak;  ///< In the odom frame.
+  OpenDirection open;  ///< In the odom frame.
 };
 
 }  // namespace setsquare

@@ -13,14 +13,14 @@ namespace {
 const ClosureVerdictParams kParams;
 
 /// So many points bind the direction at `strong_rad`, so many the one across it.
-void bind(SubmapMatch& match, double strong_rad, double strong_points, double weak_points) {
+void bind(SubmapMatch& match, double strong_rad, double strong_points, double open_points) {
   const Eigen::Vector2d strong(std::cos(strong_rad), std::sin(strong_rad));
-  const Eigen::Vector2d weak(-strong.y(), strong.x());
+  const Eigen::Vector2d open(-strong.y(), strong.x());
   match.best.hessian.setZero();
   match.best.hessian.topLeftCorner<2, 2>() =
-      strong_points * strong * strong.transpose() + weak_points * weak * weak.transpose();
+      strong_points * strong * strong.transpose() + open_points * weak * open.transpose();
   match.best.hessian(2, 2) = 500.0;
-  match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
+  match.open = open_direction(match.best.hessian.topLeftCorner<2, 2>());
 }
 
 /// Bound along both axes, without a rival.

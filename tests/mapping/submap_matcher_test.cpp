@@ -77,7 +77,7 @@ TEST(SubmapMatcher, IsTheSameTheOtherWayRound) {
               PoseNear(forward->best.T_reference_current.inverse(),
                        PoseTolerance{.translation_m = 1e-3, .rotation_rad = rad_from_deg(0.02)}));
   EXPECT_NEAR(backward->best.score, forward->best.score, 0.02);
-  EXPECT_NEAR(backward->weak.effective_points, forward->weak.effective_points, 1.0);
+  EXPECT_NEAR(backward->open.effective_points, forward->open.effective_points, 1.0);
 }
 
 TEST(SubmapMatcher, TheWayBackCountsByTheDerivativeOfTheInverse) {
@@ -136,9 +136,9 @@ TEST(SubmapMatcher, ABareCorridorIsOpenAlongItself) {
   const auto match = match_submaps(world.about(8), world.about(20), {truth, 1.0});
   ASSERT_TRUE(match.has_value());
   const double along_rad =
-      std::atan2(match->weak.direction.y(), match->weak.direction.x()) + world.poses[8].theta_rad;
+      std::atan2(match->open.direction.y(), match->open.direction.x()) + world.poses[8].theta_rad;
   EXPECT_LT(std::abs(wrap_to_period(along_rad, kPi)), rad_from_deg(2.0));
-  EXPECT_LT(match->weak.effective_points, 3.0);
+  EXPECT_LT(match->open.effective_points, 3.0);
   // Across the corridor it is right.
   const Eigen::Vector2d off_m =
       Pose2{0.0, 0.0, world.poses[8].theta_rad} *

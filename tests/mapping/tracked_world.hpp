@@ -30,13 +30,10 @@ inline std::vector<Pose2> spaced(const std::vector<Pose2>& poses,
 
 /// A keyframe, and nothing of its neighbours.
 inline KeyframePtr make_keyframe(const Scan& scan, const Pose2& T_odom_sensor, std::size_t index) {
-  SurfacePoints points = surface_points_from_scan(scan);
-  SurfaceImage image(scan, points);
   return std::make_shared<Keyframe>(Keyframe{.scan_index = index,
                                              .T_odom_sensor = T_odom_sensor,
                                              .scan = scan,
-                                             .points = std::move(points),
-                                             .image = std::move(image)});
+                                             .surfaces = scan_surfaces(scan)});
 }
 
 /// A small motion's covariance.

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
@@ -58,8 +58,8 @@ TEST(DistinctWall, IsNeverMoreThanTheAgreeingWall) {
     const PreparedScan current = look(room.walls, b, 2);
     const Pose2 slip{uniform(generator, -0.3, 0.3), uniform(generator, -0.3, 0.3), 0.0};
     const Pose2 T = a.inverse() * b * slip;
-    const double near_m = near_wall_m(reference.image, current.fine, T) +
-                          near_wall_m(current.image, reference.fine, T.inverse());
+    const double near_m = near_wall_m(reference.image(), current.fine, T) +
+                          near_wall_m(current.image(), reference.fine, T.inverse());
     EXPECT_LE(distinct(reference, current, T), near_m + 1e-3);
   }
 }

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "setsquare/matching/candidates.hpp"
-#include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/alignment.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 

@@ -92,7 +92,38 @@ INSTANTIATE_TEST_SUITE_P(
         BadField{
             "num_rotations", [](auto& p, double v) { p.quick.num_rotations = number(v); }, 0.0},
         BadField{"num_fine", [](auto& p, double v) { p.thorough.num_fine = number(v); }, 0.0},
-        BadField{"num_coarse", [](auto& p, double v) { p.quick.num_coarse = number(v); }, 1.0}));
+        BadField{"num_coarse", [](auto& p, double v) { p.quick.num_coarse = number(v); }, 1.0},
+        BadField{"min_correlation", [](auto& p, double) { p.quick.min_correlation = 0; }, 0.0},
+        BadField{"max_coarse", [](auto& p, double v) { p.samples.max_coarse = number(v); }, 61.0},
+        BadField{"max_coarse", [](auto& p, double v) { p.samples.max_coarse = number(v); }, 0.0},
+        BadField{"max_fine", [](auto& p, double v) { p.samples.max_fine = number(v); }, 0.0},
+        BadField{"max_dense", [](auto& p, double v) { p.samples.max_dense = number(v); }, 0.0},
+        BadField{"coarse_tolerances_m",
+                 [](auto& p, double v) { p.refinement.coarse_tolerances_m[1] = v; },
+                 0.0},
+        BadField{"fine_tolerances_m",
+                 [](auto& p, double v) { p.refinement.fine_tolerances_m[0] = v; },
+                 kNaN},
+        BadField{"final_tolerances_m",
+                 [](auto& p, double v) { p.refinement.final_tolerances_m[2] = v; },
+                 -0.1},
+        BadField{"sweep_tolerance_m",
+                 [](auto& p, double v) { p.refinement.sweep_tolerance_m = v; },
+                 0.0},
+        BadField{"num_steps", [](auto& p, double) { p.sweep.num_steps = 0; }, 0.0},
+        BadField{"piece_length_m", [](auto& p, double v) { p.sweep.piece_length_m = v; }, 0.0},
+        BadField{"unevenness_m", [](auto& p, double v) { p.sweep.unevenness_m = v; }, -1.0},
+        BadField{"turn_sigma", [](auto& p, double v) { p.sweep.turn_sigma = v; }, 0.0},
+        BadField{"wall_variance_m3", [](auto& p, double v) { p.sweep.wall_variance_m3 = v; }, 0.0},
+        BadField{
+            "max_distance_m", [](auto& p, double v) { p.distinct_wall.max_distance_m = v; }, 0.0},
+        BadField{"same_line_cosine",
+                 [](auto& p, double v) { p.distinct_wall.same_line_cosine = v; },
+                 kNaN},
+        BadField{"same_line_m", [](auto& p, double v) { p.distinct_wall.same_line_m = v; }, 0.0},
+        BadField{
+            "same_clutter_m", [](auto& p, double v) { p.distinct_wall.same_clutter_m = v; }, 0.0},
+        BadField{"max_line_m", [](auto& p, double v) { p.distinct_wall.max_line_m = v; }, 0.0}));
 
 TEST(MatchParams, DefaultsAreValid) { EXPECT_NO_THROW(MatchParams{}.validate()); }
 

@@ -23,7 +23,7 @@ struct Case {
        .evidence = {.wall_m = 20.0, .agreeing_m = 6.0, .contradicted_m = 3.0, .hidden_m = 4.0},
        .score = 0.1}};
   double runner_up_score = 0.1;
-  WallConstraint constraint{.all_m = 10.0, .weakest_m = 3.0, .turning_m3 = 20.0};
+  WallConstraint constraint{.all_m = 10.0, .open_direction_m = 3.0, .turning_m3 = 20.0};
   TwoWayEvidence two_way{{.wall_m = 10.0, .agreeing_m = 6.0, .contradicted_m = 0.1},
                          {.wall_m = 10.0, .agreeing_m = 6.0, .contradicted_m = 0.1}};
   double distinct_wall_m = 8.0;
@@ -86,8 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
              [](Case& c) { c.candidates[0].evidence.wall_m = 121.0; },
              MatchStatus::kNoOverlap},
         Rule{"min_constraint_m",
-             [](Case& c) { c.constraint.weakest_m = 0.51; },
-             [](Case& c) { c.constraint.weakest_m = 0.49; },
+             [](Case& c) { c.constraint.open_direction_m = 0.51; },
+             [](Case& c) { c.constraint.open_direction_m = 0.49; },
              kDegenerate},
         Rule{"min_turning_m3",
              [](Case& c) { c.constraint.turning_m3 = 2.01; },
@@ -186,7 +186,7 @@ TEST(Verdict, OneCandidateAloneIsJudgedAgainstNothing) {
 
 TEST(Verdict, WhatIsNotHeldIsDegenerateEvenWhereItIsAmbiguous) {
   Case c;
-  c.constraint.weakest_m = 0.0;
+  c.constraint.open_direction_m = 0.0;
   c.distinct_wall_m = 0.0;
   set_score(c, 0.3, 0.3);
   EXPECT_EQ(c.verdict(), MatchStatus::kDegenerate);
@@ -222,9 +222,9 @@ TEST(WallConstraint, TellsTheWeakestDirectionAndItsWall) {
                                       {0.5, {3, 1}, kPi},
                                       {0.5, {3, -1}, kPi}};
   const WallConstraint constraint = wall_constraint(hessian_of(walls));
-  EXPECT_NEAR(constraint.weakest_m, 1.0, 1e-9);
+  EXPECT_NEAR(constraint.open_direction_m, 1.0, 1e-9);
   EXPECT_NEAR(constraint.all_m, 9.0, 1e-9);
-  EXPECT_NEAR(wrap_to_period(constraint.weakest_direction_rad, kPi), 0.0, 1e-9);
+  EXPECT_NEAR(wrap_to_period(constraint.open_direction_rad, kPi), 0.0, 1e-9);
   EXPECT_NEAR(constraint.turning_m3, 8.0 * 4.0 + 1.0 * 1.0, 1e-3);
 }
 
@@ -244,10 +244,10 @@ TEST(WallConstraint, ATurnOfTheFrameTurnsTheDirectionOnly) {
     }
     const WallConstraint before = wall_constraint(hessian_of(walls));
     const WallConstraint after = wall_constraint(hessian_of(turned));
-    EXPECT_NEAR(after.weakest_m, before.weakest_m, 1e-9);
+    EXPECT_NEAR(after.open_direction_m, before.open_direction_m, 1e-9);
     EXPECT_NEAR(after.all_m, before.all_m, 1e-9);
     EXPECT_NEAR(after.turning_m3, before.turning_m3, 1e-3 * (1.0 + before.turning_m3));
-    const double rest_rad = after.weakest_direction_rad - before.weakest_direction_rad - turn_rad;
+    const double rest_rad = after.open_direction_rad - before.open_direction_rad - turn_rad;
     EXPECT_NEAR(wrap_to_period(rest_rad, kPi), 0.0, 1e-6);
   }
 }
@@ -265,7 +265,7 @@ TEST(WallConstraint, ARoundHallHoldsNoRotationAndACorridorNoMotionAlongIt) {
   EXPECT_NEAR(round.turning_m3, 0.0, 1e-3);
   const WallConstraint corridor =
       wall_constraint(hessian_of({{9.0, {-3, 1}, -0.5 * kPi}, {9.0, {3, -1}, 0.5 * kPi}}));
-  EXPECT_NEAR(corridor.weakest_m, 0.0, 1e-9);
+  EXPECT_NEAR(corridor.open_direction_m, 0.0, 1e-9);
   EXPECT_GT(corridor.turning_m3, 50.0);
 }
 

@@ -138,7 +138,7 @@ TEST(OddScans, APointMovedOntoTheOtherSensorIsLookedUp) {
   sample.normal_x = sample.normal_y = {0, 0, 0, 0};
   sample.weight_m = {0.1F, 0, 0, 0};
   sample.count = 1;
-  const Alignment result = align_one_way(room.image, sample, {-2.0, -1.0, 0.0}, 0.2);
+  const Alignment result = align_one_way(room.image(), sample, {-2.0, -1.0, 0.0}, 0.2);
   EXPECT_TRUE(result.hessian.allFinite());
   // Where the sensor stands is free.
   EXPECT_FLOAT_EQ(static_cast<float>(result.evidence.contradicted_m), 0.1F);

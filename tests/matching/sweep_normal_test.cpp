@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "setsquare/matching/prepared_scan.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 

@@ -9,8 +9,8 @@
 #include <Eigen/Eigenvalues>
 #include <iostream>
 
-#include "setsquare/matching/prepared_scan.hpp"
-#include "setsquare/matching/refinement.hpp"
+#include "setsquare/surfaces/alignment.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"

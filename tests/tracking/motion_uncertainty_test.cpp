@@ -20,7 +20,7 @@ TrackedPose at(const Pose2& T_odom_sensor, TrackStatus status = TrackStatus::kTr
 
 TrackedPose open_along(double direction_rad, const Pose2& T_odom_sensor) {
   TrackedPose tracked = at(T_odom_sensor, TrackStatus::kDegenerate);
-  tracked.weak.direction = {std::cos(direction_rad), std::sin(direction_rad)};
+  tracked.open.direction = {std::cos(direction_rad), std::sin(direction_rad)};
   return tracked;
 }
 

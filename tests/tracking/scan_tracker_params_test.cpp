@@ -36,7 +36,7 @@ std::vector<BadField> bad_fields() {
       {"corridor.half_range_m", [](P& p) { p.corridor.step_m = 1e-12; }},
       {"recovery.num_keyframes", [](P& p) { p.recovery.num_keyframes = 0; }},
       {"recovery.below_score", [](P& p) { p.recovery.below_score = kNan; }},
-      {"recovery.below_score_if_weak", [](P& p) { p.recovery.below_score_if_weak = kNan; }},
+      {"recovery.below_score_if_open", [](P& p) { p.recovery.below_score_if_open = kNan; }},
       {"recovery.enough_score", [](P& p) { p.recovery.enough_score = kNan; }},
       {"recovery.far_min_score", [](P& p) { p.recovery.far_min_score = kInfinity; }},
       {"recovery.min_gain", [](P& p) { p.recovery.min_gain = -0.1; }},

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "tests/tracking/simulated_drive.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rooms.hpp"
+#include "tests/tracking/simulated_drive.hpp"
 
 namespace setsquare {
 namespace {
@@ -82,7 +82,7 @@ TEST(ScanTracker, SaysThatABareCorridorLeavesItsDirectionOpen) {
   const auto tracked = track_all(scans_on_drive(bare_corridor(), truth, kNoise_m));
   for (std::size_t i = 1; i < tracked.size(); ++i) {
     EXPECT_EQ(tracked[i].status, TrackStatus::kDegenerate) << i;
-    EXPECT_GT(std::abs(tracked[i].weak.direction.x()), 0.999) << "along the corridor";
+    EXPECT_GT(std::abs(tracked[i].open.direction.x()), 0.999) << "along the corridor";
     EXPECT_NEAR(tracked[i].T_odom_sensor.y_m, 0.0, 0.03) << "across it the walls bind";
   }
 }

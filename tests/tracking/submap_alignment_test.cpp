@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "setsquare/tracking/submap_refinement.hpp"
-#include "tests/tracking/simulated_drive.hpp"
 #include "tests/support/pose_matchers.hpp"
+#include "tests/tracking/simulated_drive.hpp"
 
 namespace setsquare {
 namespace {
@@ -119,7 +119,7 @@ TEST_F(SubmapAlignmentTest, RefinementFindsThePlaceFromAside) {
     const SubmapFit fit = refine_in_submap({submap_, points, start, {}, marks_}, start, {});
     EXPECT_THAT(fit.T_odom_sensor,
                 PoseNear(pose, PoseTolerance{.translation_m = 0.003, .rotation_rad = 0.001}));
-    EXPECT_GT(fit.weak.effective_points, 3.0);
+    EXPECT_GT(fit.open.effective_points, 3.0);
   }
 }
 

@@ -6,17 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "setsquare/core/median.hpp"
+
 namespace setsquare {
 namespace {
 
 constexpr double kFinestUnit_m = 1e-4;
 constexpr double kFinestUnit_rad = 1e-6;
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 double settle(double value, double rounding, double finest_unit) {
   if (rounding <= 0.0) return value;
@@ -38,7 +34,7 @@ Pose2 settle_mounting(std::vector<Pose2> mountings, double rounding) {
     y_m.push_back(mounting.y_m);
     turn_rad.push_back(wrap_to_pi(mounting.theta_rad - reference_rad));
   }
-  const double heading_rad = wrap_to_pi(reference_rad + median(std::move(turn_rad)));
+  const double heading_rad = wrap_to_pi(reference_rad + upper_median(std::move(turn_rad)));
   return {settle(median(std::move(x_m)), rounding, kFinestUnit_m),
           settle(median(std::move(y_m)), rounding, kFinestUnit_m),
           settle(heading_rad, rounding, kFinestUnit_rad)};

@@ -53,7 +53,7 @@ class PositionHash {
 /// Parameters of ClosureCandidates.
 struct ClosureCandidateParams {
   double radius_m = 4.0;           ///< Views farther apart hardly overlap.
-  double min_way_m = 5.0;          ///< Nearer along the track is tracking's business.
+  double min_way_m = 5.0;          ///< Tracking has compared what is nearer along the track.
   std::size_t max_num = 4;         ///< A station.
   std::size_t min_separation = 4;  ///< Stations between two candidates of one station.
   /// The window is so much ...

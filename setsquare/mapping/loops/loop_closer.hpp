@@ -41,7 +41,7 @@ class LoopCloser {
   void add_joints(std::span<const ComparedPlaces> joints);
 
   /// Looks at the stations among the first `num_keyframes` of the track that it has not looked at.
-  /// `T_map_sensor`: one a keyframe, as well as is known. Any number of threads gives the same
+  /// `T_map_sensor`: one per keyframe, as well as is known. Any number of threads gives the same
   /// closures.
   void extend(const KeyframeTrack& track,
               std::size_t num_keyframes,

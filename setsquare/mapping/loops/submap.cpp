@@ -43,7 +43,7 @@ bool is_rigid(const KeyframeTrack& track, std::size_t a, std::size_t b, double s
 SurfacePoints points_of(const Submap& submap) {
   SurfacePoints all;
   for (std::size_t k = 0; k < submap.members.size(); ++k) {
-    append(submap.members[k]->points, submap.images[k].T_submap_sensor, all);
+    append(submap.members[k]->points(), submap.images[k].T_submap_sensor, all);
   }
   return all;
 }
@@ -73,7 +73,7 @@ Submap make_submap(const KeyframeTrack& track,
   for (std::size_t k = first; k < end; ++k) {
     const Keyframe& keyframe = *track.keyframes[k];
     submap.members.push_back(&keyframe);
-    submap.images.push_back({&keyframe.image, T_submap_map * T_map_sensor[k]});
+    submap.images.push_back({&keyframe.image(), T_submap_map * T_map_sensor[k]});
   }
   const SurfacePoints all = points_of(submap);
   const auto weights = direction_balanced_weights(all, angle_histogram(all));
@@ -84,7 +84,7 @@ Submap make_submap(const KeyframeTrack& track,
 }
 
 CorrelationGrid correlation_grid(const Submap& submap) {
-  return CorrelationGrid(points_of(submap), submap.members[submap.middle_member]->image);
+  return CorrelationGrid(points_of(submap), submap.members[submap.middle_member]->image());
 }
 
 }  // namespace setsquare

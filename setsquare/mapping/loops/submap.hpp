@@ -25,7 +25,7 @@ struct Submap {
 };
 
 /// The keyframe at `middle` and up to `half_width` of its stretch of track to either side, placed
-/// by `T_map_sensor` (one a keyframe).
+/// by `T_map_sensor` (one per keyframe).
 [[nodiscard]] Submap make_submap(const KeyframeTrack& track,
                                  std::span<const Pose2> T_map_sensor,
                                  std::size_t middle,

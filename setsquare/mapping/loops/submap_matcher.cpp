@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <utility>
 
+#include "setsquare/core/damped_step.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
@@ -49,9 +49,7 @@ class Comparison {
                                          Samples samples) {
     for (int step = 0; step < num_steps; ++step) {
       const Eigen::Vector3d move = step_from(fit);
-      const Pose2& T = fit.T_reference_current;
-      fit = compare(
-          {T.x_m + move.x(), T.y_m + move.y(), wrap_to_pi(T.theta_rad + move.z())}, scale, samples);
+      fit = compare(stepped(fit.T_reference_current, move), scale, samples);
       if (move.norm() < kConverged) break;
     }
     return fit;
@@ -90,12 +88,12 @@ class Comparison {
  private:
   /// The Gauss-Newton step, the rotation held near the expected one.
   [[nodiscard]] Eigen::Vector3d step_from(const SubmapFitBothWays& fit) const {
-    Eigen::Matrix3d hessian = fit.hessian + kSubmapDamping * Eigen::Matrix3d::Identity();
-    Eigen::Vector3d gradient = fit.gradient;
-    hessian(2, 2) += params_.heading_weight;
-    gradient(2) += params_.heading_weight * wrap_to_pi(fit.T_reference_current.theta_rad -
-                                                       expected_.T_reference_current.theta_rad);
-    Eigen::Vector3d step = hessian.ldlt().solve(-gradient);
+    NormalEquations<3> heading;
+    heading.hessian(2, 2) = params_.heading_weight;
+    heading.gradient(2) =
+        params_.heading_weight *
+        wrap_to_pi(fit.T_reference_current.theta_rad - expected_.T_reference_current.theta_rad);
+    Eigen::Vector3d step = damped_step({fit.hessian, fit.gradient}, kSubmapDamping, heading);
     const double length_m = step.head<2>().norm();
     if (length_m > kMaxStep_m) step.head<2>() *= kMaxStep_m / length_m;
     return step;
@@ -132,7 +130,8 @@ std::vector<Pose2> propose(const Submap& reference,
 }
 
 /// Leaves those that neither score nor agree within `max_lag` of what the best does.
-void drop_laggards(double max_lag, std::vector<SubmapFitBothWays>& fits) {
+std::vector<SubmapFitBothWays> without_laggards(std::vector<SubmapFitBothWays> fits,
+                                                double max_lag) {
   double best_score = -1.0;
   double best_agreement = -1.0;
   for (const SubmapFitBothWays& fit : fits) {
@@ -142,10 +141,11 @@ void drop_laggards(double max_lag, std::vector<SubmapFitBothWays>& fits) {
   std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
     return fit.score < best_score - max_lag && fit.agreement < best_agreement - max_lag;
   });
+  return fits;
 }
 
-/// The starts caught by their surroundings, the best by score first; nothing where none of them is
-/// worth the pains: views of other things hardly agree anywhere.
+/// The starts caught by their surroundings, the best by score first; nothing where none of them
+/// is promising: views of other things hardly agree anywhere.
 std::vector<SubmapFitBothWays> caught(const std::vector<Pose2>& starts,
                                       Comparison& comparison,
                                       const SubmapMatchParams& params) {
@@ -162,7 +162,7 @@ std::vector<SubmapFitBothWays> caught(const std::vector<Pose2>& starts,
     }
   };
   step_on(1);
-  drop_laggards(params.max_lag, fits);
+  fits = without_laggards(std::move(fits), params.max_lag);
   step_on(params.num_catching_steps - 1);
   std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
     return !comparison.is_in_window(fit.T_reference_current);
@@ -219,7 +219,7 @@ std::optional<SubmapMatch> match_submaps(const Submap& reference,
 
   SubmapMatch match;
   match.best = *settled;
-  match.weak = weak_direction(match.best.hessian.topLeftCorner<2, 2>());
+  match.open = open_direction(match.best.hessian.topLeftCorner<2, 2>());
   std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
     return distance_m(fit, match.best) < params.distinct_m;
   });

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "setsquare/mapping/loops/submap.hpp"
+#include "setsquare/tracking/open_direction.hpp"
 #include "setsquare/tracking/submap_alignment.hpp"
-#include "setsquare/tracking/weak_direction.hpp"
 
 namespace setsquare {
 
@@ -50,7 +50,7 @@ struct SubmapFitBothWays {
 struct SubmapMatch {
   SubmapFitBothWays best;
   std::vector<SubmapFitBothWays> others;  ///< Caught elsewhere, the best by score first.
-  WeakDirection weak;                     ///< In the reference's frame.
+  OpenDirection open;                     ///< In the reference's frame.
 };
 
 /// What is known beforehand.

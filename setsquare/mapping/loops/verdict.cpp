@@ -32,13 +32,13 @@ std::vector<SubmapFitBothWays> rivals_of(const SubmapMatch& match,
   return rivals;
 }
 
-/// Whether another pose lies along the weak direction from the best.
+/// Whether another pose lies along the open direction from the best.
 bool is_along(const SubmapFitBothWays& other,
               const SubmapMatch& match,
               const ClosureVerdictParams& params) {
   const Eigen::Vector2d offset_m =
       other.T_reference_current.translation() - match.best.T_reference_current.translation();
-  return angle_between(match.weak.direction, offset_m) < params.max_rival_rad;
+  return angle_between(match.open.direction, offset_m) < params.max_rival_rad;
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ void ClosureVerdictParams::validate() const {
   require_not_negative(max_contradiction, "verdict.max_contradiction");
   require_not_negative(min_margin, "verdict.min_margin");
   require_positive(min_effective_points, "verdict.min_effective_points");
-  require_not_negative(max_weak_share, "verdict.max_weak_share");
+  require_not_negative(max_open_share, "verdict.max_open_share");
   require_not_negative(max_rival_rad, "verdict.max_rival_rad");
   require_not_negative(max_askew_rad, "verdict.max_askew_rad");
 }
@@ -84,11 +84,11 @@ ClosureVerdict closure_verdict(const SubmapMatch& match,
   if (match.best.score < params.min_score) return {ClosureReason::kLowScore};
   if (match.best.contradiction > params.max_contradiction) return {ClosureReason::kContradicted};
   const std::vector<SubmapFitBothWays> rivals = rivals_of(match, params);
-  const bool is_bound = match.weak.effective_points >= params.min_effective_points;
+  const bool is_bound = match.open.effective_points >= params.min_effective_points;
   if (rivals.empty() && is_bound) return {ClosureReason::kStandsAlone};
 
   const double all_points = match.best.hessian.topLeftCorner<2, 2>().trace();
-  const bool is_corridor = match.weak.effective_points < params.max_weak_share * all_points;
+  const bool is_corridor = match.open.effective_points < params.max_open_share * all_points;
   const bool are_along = std::all_of(rivals.begin(), rivals.end(), [&](const auto& rival) {
     return is_along(rival, match, params);
   });
@@ -96,7 +96,7 @@ ClosureVerdict closure_verdict(const SubmapMatch& match,
     return {rivals.empty() ? ClosureReason::kOpenDirection : ClosureReason::kAmbiguous};
   }
   const double open_rad =
-      std::atan2(match.weak.direction.y(), match.weak.direction.x()) + reference_heading_rad;
+      std::atan2(match.open.direction.y(), match.open.direction.x()) + reference_heading_rad;
   const double askew_rad = std::abs(wrap_to_period(open_rad, 0.5 * kPi));
   if (askew_rad > params.max_askew_rad) return {ClosureReason::kOpenDirection};
   return {ClosureReason::kOneAxis, axis_across(open_rad)};
@@ -117,7 +117,7 @@ ComparedPlaces judged_places(std::size_t from,
   places.contradiction = match.best.contradiction;
   places.information = match.best.hessian / (point_sigma_m * point_sigma_m);
   if (places.verdict.reason == ClosureReason::kOneAxis) {
-    const Eigen::Vector2d& open = match.weak.direction;
+    const Eigen::Vector2d& open = match.open.direction;
     places.information = without_direction(places.information, {open.x(), open.y(), 0.0});
   }
   return places;

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "setsquare/core/median.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/pieces/place_signature.hpp"
@@ -76,10 +77,7 @@ class PieceJoiner {
 
   bool join(std::size_t piece) {
     if (places_[piece].size() < params_.min_agreeing) return false;
-    std::vector<Proposal> proposals = propose(piece);
-    verify_new(proposals);
-    std::erase_if(proposals, [](const Proposal& proposal) { return !proposal.is_verified; });
-    const std::vector<Proposal> agreed = most_agreed(proposals);
+    const std::vector<Proposal> agreed = most_agreed(verified(propose(piece)));
     if (agreed.empty()) return false;
     joined_.is_joined[piece] = true;
     joined_.turn_rad[piece] = tracked_turn_rad(agreed);
@@ -102,9 +100,7 @@ class PieceJoiner {
     const double first_rad = turn_by(joints.front());
     std::vector<double> off_rad;
     for (const Proposal& joint : joints) off_rad.push_back(wrap_to_pi(turn_by(joint) - first_rad));
-    const auto middle = off_rad.begin() + static_cast<std::ptrdiff_t>(off_rad.size() / 2);
-    std::nth_element(off_rad.begin(), middle, off_rad.end());
-    return wrap_to_pi(first_rad + *middle);
+    return wrap_to_pi(first_rad + upper_median(std::move(off_rad)));
   }
 
   [[nodiscard]] std::vector<Proposal> propose(std::size_t piece) const {
@@ -132,34 +128,41 @@ class PieceJoiner {
     return proposals;
   }
 
-  /// Verifies what was not verified when fewer pieces were joined; each scan is prepared once.
-  void verify_new(std::vector<Proposal>& proposals) {
-    std::vector<Proposal*> unknown;
+  /// Those of the proposals that are verified. A pair is verified once, however often it is
+  /// proposed, and the samples of a scan are drawn once.
+  [[nodiscard]] std::vector<Proposal> verified(const std::vector<Proposal>& proposals) {
+    std::vector<Proposal> unknown;
     std::vector<std::size_t> unprepared;
-    for (Proposal& proposal : proposals) {
-      const auto before = verified_.find({proposal.known, proposal.sought});
-      if (before != verified_.end()) {
-        proposal = before->second;
-        continue;
-      }
-      unknown.push_back(&proposal);
+    for (const Proposal& proposal : proposals) {
+      if (verified_.contains(pair_of(proposal))) continue;
+      unknown.push_back(proposal);
       for (const std::size_t keyframe : {proposal.known, proposal.sought}) {
         if (prepared_.try_emplace(keyframe).second) unprepared.push_back(keyframe);
       }
     }
     run_in_parallel(unprepared.size(), num_threads_, [&](std::size_t i) {
-      prepared_.at(unprepared[i]) = prepare(track_.keyframes[unprepared[i]]->scan);
+      prepared_.at(unprepared[i]) = prepare(track_.keyframes[unprepared[i]]->surfaces);
     });
-    run_in_parallel(unknown.size(), num_threads_, [&](std::size_t i) { verify(*unknown[i]); });
-    for (const Proposal* proposal : unknown) {
-      verified_.emplace(std::pair(proposal->known, proposal->sought), *proposal);
+    run_in_parallel(
+        unknown.size(), num_threads_, [&](std::size_t i) { unknown[i] = verify(unknown[i]); });
+    for (const Proposal& proposal : unknown) verified_.emplace(pair_of(proposal), proposal);
+
+    std::vector<Proposal> right;
+    for (const Proposal& proposal : proposals) {
+      const Proposal& known = verified_.at(pair_of(proposal));
+      if (known.is_verified) right.push_back(known);
     }
+    return right;
   }
 
-  void verify(Proposal& proposal) const {
+  [[nodiscard]] static std::pair<std::size_t, std::size_t> pair_of(const Proposal& proposal) {
+    return {proposal.known, proposal.sought};
+  }
+
+  [[nodiscard]] Proposal verify(Proposal proposal) const {
     const MatchResult match =
         setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
-    if (match.status != MatchStatus::kMatched) return;
+    if (match.status != MatchStatus::kMatched) return proposal;
 
     const std::size_t half_width = closing_.submap_half_width;
     const auto found =
@@ -167,7 +170,7 @@ class PieceJoiner {
                       make_submap(track_, T_map_sensor_, proposal.sought, half_width),
                       {*match.T_reference_current, params_.window_m},
                       closing_.match);
-    if (!found) return;
+    if (!found) return proposal;
     const Pose2& T_map_known = T_map_sensor_[proposal.known];
     proposal.places = judged_places(proposal.known,
                                     proposal.sought,
@@ -178,6 +181,7 @@ class PieceJoiner {
     proposal.is_verified = proposal.places.verdict.reason == ClosureReason::kStandsAlone;
     proposal.T_map_piece =
         T_map_known * proposal.places.T_from_to * T_map_sensor_[proposal.sought].inverse();
+    return proposal;
   }
 
   /// Whether two proposals put the places that they are about alike.

@@ -40,7 +40,7 @@ struct JoinedPieces {
 ///    submap.
 /// 3. Where enough places agree upon where the piece lies, and more than upon any other place, it
 ///    is joined.
-/// `T_map_sensor`: one a keyframe, right within each piece. Throws ParameterError.
+/// `T_map_sensor`: one per keyframe, right within each piece. Throws ParameterError.
 [[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,
                                        std::span<const Pose2> T_map_sensor,
                                        const LoopCloserParams& closing,

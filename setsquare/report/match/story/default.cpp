@@ -108,8 +108,10 @@ MatchStory tell_default_match(const Scan& reference,
   story.current = story_scan(current, {});
   story.shifts = kShifts;
   MatchTrace trace;
-  story.result =
-      match(prepare(reference, params.surface), prepare(current, params.surface), params, &trace);
+  story.result = match(prepare(reference, params.surface, params.samples),
+                       prepare(current, params.surface, params.samples),
+                       params,
+                       &trace);
   story.evidence = evidence_in_words(story.result, params);
   story.measure_names = {"correlation", "agreeing", "contradicted", "hidden", "score"};
   tell_proposals(trace, story);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/tracking/weak_direction.hpp"
+#include "setsquare/tracking/open_direction.hpp"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ namespace {
 using testing::make_generator;
 using testing::uniform;
 
-TEST(WeakDirection, EqualsTheEigensolver) {
+TEST(OpenDirection, EqualsTheEigensolver) {
   auto generator = make_generator();
   for (int trial = 0; trial < 200; ++trial) {
     Eigen::Matrix2d information = Eigen::Matrix2d::Zero();
@@ -25,17 +25,17 @@ TEST(WeakDirection, EqualsTheEigensolver) {
       information += uniform(generator, 0.0, 50.0) * normal * normal.transpose();
     }
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> twin(information);
-    const WeakDirection weak = weak_direction(information);
-    EXPECT_NEAR(weak.effective_points, twin.eigenvalues()(0), 1e-9);
-    EXPECT_NEAR(std::abs(weak.direction.dot(twin.eigenvectors().col(0))), 1.0, 1e-6);
+    const OpenDirection open = open_direction(information);
+    EXPECT_NEAR(open.effective_points, twin.eigenvalues()(0), 1e-9);
+    EXPECT_NEAR(std::abs(open.direction.dot(twin.eigenvectors().col(0))), 1.0, 1e-6);
   }
 }
 
-TEST(WeakDirection, OneWallLeavesItsOwnDirectionFree) {
+TEST(OpenDirection, OneWallLeavesItsOwnDirectionFree) {
   const Eigen::Vector2d normal(0.6, 0.8);
-  const WeakDirection weak = weak_direction(70.0 * normal * normal.transpose());
-  EXPECT_NEAR(weak.effective_points, 0.0, 1e-9);
-  EXPECT_NEAR(weak.direction.dot(normal), 0.0, 1e-12);
+  const OpenDirection open = open_direction(70.0 * normal * normal.transpose());
+  EXPECT_NEAR(open.effective_points, 0.0, 1e-9);
+  EXPECT_NEAR(open.direction.dot(normal), 0.0, 1e-12);
 }
 
 }  // namespace

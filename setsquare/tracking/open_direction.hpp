@@ -7,7 +7,7 @@
 namespace setsquare {
 
 /// The direction along which a scan's walls determine the position least.
-struct WeakDirection {
+struct OpenDirection {
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< Unit vector.
   /// How many points bind the position along it, if each faced it squarely: the smaller eigenvalue
   /// of the sum of the weighted outer products of the normals. A bare corridor shows less than one.
@@ -15,6 +15,6 @@ struct WeakDirection {
 };
 
 /// The smaller eigenvalue and its eigenvector of a symmetric 2 x 2 matrix (points).
-[[nodiscard]] WeakDirection weak_direction(const Eigen::Matrix2d& information_points);
+[[nodiscard]] OpenDirection open_direction(const Eigen::Matrix2d& information_points);
 
 }  // namespace setsquare

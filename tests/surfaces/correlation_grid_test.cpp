@@ -7,9 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <stdexcept>
 #include <vector>
 
-#include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
@@ -28,8 +29,8 @@ enum class Cell { kFree = -1, kUnknown = 0, kNearSurface = 1, kSurface = 2 };
 class PlainGrid {
  public:
   explicit PlainGrid(const PreparedScan& reference) {
-    draw_free_space(reference.image);
-    const SurfacePoints& points = reference.points;
+    draw_free_space(reference.image());
+    const SurfacePoints& points = reference.points();
     std::vector<std::pair<int, int>> surface;
     for (std::size_t i = 0; i < points.size(); ++i) {
       const bool is_joined = points.joined[i] != 0;
@@ -137,7 +138,7 @@ TEST(CorrelationGrid, ProposesWhatThePlainSumsSay) {
   std::size_t num_different = 0;
   for (int trial = 0; trial < 12; ++trial) {
     const Pair pair = random_pair(generator);
-    const CorrelationGrid grid(pair.reference.points, pair.reference.image);
+    const CorrelationGrid grid(pair.reference.points(), pair.reference.image());
     const PlainGrid plain(pair.reference);
     const Pose2 middle = random_middle(generator);
     std::vector<TranslationProposal> proposals;
@@ -162,7 +163,7 @@ TEST(CorrelationGrid, MissesNoPeakOfTheWindow) {
   auto generator = testing::make_generator();
   for (int trial = 0; trial < 6; ++trial) {
     const Pair pair = random_pair(generator);
-    const CorrelationGrid grid(pair.reference.points, pair.reference.image);
+    const CorrelationGrid grid(pair.reference.points(), pair.reference.image());
     const PlainGrid plain(pair.reference);
     const Pose2 middle = random_middle(generator);
     int highest = 0;
@@ -184,7 +185,7 @@ TEST(CorrelationGrid, MissesNoPeakOfTheWindow) {
 TEST(CorrelationGrid, AsksForNoLessThanTheMinimumAndKeepsWhatWasThere) {
   auto generator = testing::make_generator();
   const Pair pair = random_pair(generator);
-  const CorrelationGrid grid(pair.reference.points, pair.reference.image);
+  const CorrelationGrid grid(pair.reference.points(), pair.reference.image());
   std::vector<TranslationProposal> all;
   grid.propose_translations(pair.current.coarse, {0.0, 0.0, 0.3}, 1, all);
   ASSERT_FALSE(all.empty());
@@ -201,7 +202,7 @@ TEST(CorrelationGrid, AsksForNoLessThanTheMinimumAndKeepsWhatWasThere) {
 TEST(CorrelationGrid, ScanOnItselfPeaksAtTheTruth) {
   auto generator = testing::make_generator();
   const Pair pair = random_pair(generator);
-  const CorrelationGrid grid(pair.reference.points, pair.reference.image);
+  const CorrelationGrid grid(pair.reference.points(), pair.reference.image());
   std::vector<TranslationProposal> proposals;
   grid.propose_translations(pair.reference.coarse, Pose2{}, 1, proposals);
   const auto best =
@@ -214,12 +215,22 @@ TEST(CorrelationGrid, ScanOnItselfPeaksAtTheTruth) {
   EXPECT_EQ(best->correlation, 2 * static_cast<int>(pair.reference.coarse.size()));
 }
 
+TEST(CorrelationGrid, RefusesMoreSamplesThanItsBytesCanSum) {
+  auto generator = testing::make_generator();
+  const Pair pair = random_pair(generator);
+  const CorrelationGrid grid(pair.reference.points(), pair.reference.image());
+  ASSERT_GT(pair.current.fine.size(), CorrelationGrid::kMaxSamples);
+  std::vector<TranslationProposal> proposals;
+  EXPECT_THROW(grid.propose_translations(pair.current.fine, Pose2{}, 1, proposals),
+               std::invalid_argument);
+}
+
 TEST(CorrelationGrid, KeepsWithinItsBordersHoweverFarTheReturns) {
   testing::Fan fan{360, -kPi, rad_from_deg(1)};
   for (const double side_m : {12.7, 12.9, 18.9, 19.3, 25.0, 58.0}) {
     const auto far = prepare(testing::scan_of_walls(
         testing::empty_rectangle(side_m, side_m), {0.5 * side_m, 0.5 * side_m, 0.0}, fan));
-    const CorrelationGrid grid(far.points, far.image);
+    const CorrelationGrid grid(far.points(), far.image());
     std::vector<TranslationProposal> proposals;
     for (int turn = 0; turn < 8; ++turn) {
       grid.propose_translations(far.coarse, {0.0, 0.0, 0.785 * turn}, 1, proposals);

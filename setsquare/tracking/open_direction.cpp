@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/tracking/weak_direction.hpp"
+#include "setsquare/tracking/open_direction.hpp"
 
 #include <cmath>
 
 namespace setsquare {
 
-WeakDirection weak_direction(const Eigen::Matrix2d& information_points) {
+OpenDirection open_direction(const Eigen::Matrix2d& information_points) {
   const double half_difference = 0.5 * (information_points(0, 0) - information_points(1, 1));
   const double off_diagonal = information_points(0, 1);
   const double radius = std::hypot(half_difference, off_diagonal);

@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-#include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
@@ -154,8 +154,8 @@ TEST(Alignment, OneWayEqualsItsPlainTwin) {
     for (const double tolerance_m : {0.1, 0.2, 0.5}) {
       expect_near(
           align_one_way(
-              pair.reference.image, pair.current.fine, pair.T_reference_current, tolerance_m),
-          plain_one_way(pair.reference.image,
+              pair.reference.image(), pair.current.fine, pair.T_reference_current, tolerance_m),
+          plain_one_way(pair.reference.image(),
                         pair.current.fine,
                         pair.T_reference_current,
                         false,
@@ -171,9 +171,9 @@ TEST(Alignment, BothWaysEqualTheirPlainTwins) {
     const Pair pair = random_pair(generator);
     constexpr double kTolerance_m = 0.2;
     Alignment plain = plain_one_way(
-        pair.reference.image, pair.current.fine, pair.T_reference_current, false, kTolerance_m);
+        pair.reference.image(), pair.current.fine, pair.T_reference_current, false, kTolerance_m);
     const Alignment backward = plain_one_way(
-        pair.current.image, pair.reference.fine, pair.T_reference_current, true, kTolerance_m);
+        pair.current.image(), pair.reference.fine, pair.T_reference_current, true, kTolerance_m);
     plain.evidence += backward.evidence;
     plain.hessian += backward.hessian;
     plain.gradient += backward.gradient;
