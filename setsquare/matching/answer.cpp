@@ -11,6 +11,7 @@
 #include "setsquare/matching/information.hpp"
 #include "setsquare/matching/refinement.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
+#include "setsquare/matching/trace.hpp"
 #include "setsquare/matching/verdict.hpp"
 #include "setsquare/paper/projected_profile.hpp"
 #include "setsquare/paper/zncc.hpp"
@@ -84,6 +85,13 @@ void forget_what_is_not_held(const WallConstraint& constraint,
   result.information = without_direction(result.information, free);
 }
 
+TracedVerdict traced(const VerdictEvidence& evidence, const AnswerParams& params) {
+  return {.constraint = evidence.constraint,
+          .two_way = evidence.two_way,
+          .distinct_wall_m = evidence.distinct_wall_m,
+          .min_distinct_m = params.min_distinct_m};
+}
+
 }  // namespace
 
 AxisZncc axis_zncc(const PreparedScan& reference,
@@ -103,7 +111,8 @@ AxisZncc axis_zncc(const PreparedScan& reference,
 MatchResult answer(const PreparedScan& reference,
                    const PreparedScan& current,
                    std::span<const Candidate> candidates,
-                   const MatchParams& params) {
+                   const MatchParams& params,
+                   MatchTrace* trace) {
   MatchResult result;
   if (candidates.empty()) {
     result.status = MatchStatus::kNoOverlap;
@@ -138,6 +147,7 @@ MatchResult answer(const PreparedScan& reference,
       .two_way = two_way,
       .distinct_wall_m = distinct_wall_m(reference.fine_alignment(), current.fine_alignment(), T)};
   result.status = verdict(evidence, params.answer);
+  if (trace != nullptr) trace->verdict = traced(evidence, params.answer);
   if (result.status == MatchStatus::kDegenerate) {
     forget_what_is_not_held(evidence.constraint, params.answer, result);
   }
