@@ -51,7 +51,7 @@ TEST_P(MatchReport, SvgIsWellFormedAndHasEverySection) {
                                                 "Correlation of the two histograms",
                                                 "rotations proposed",
                                                 "dropped by the coarse samples: ",
-                                                "m of wall compared; score ",
+                                                "m of wall compared",
                                                 "What decided: ",
                                                 "Marginal sigma",
                                                 "Proposed: x ",

@@ -151,10 +151,10 @@ void SelectingLogReader::apply_mounting(LogRecord& record) {
 
 const LogRecord* SelectingLogReader::finish() {
   const std::string gzip_damage = stream_->source().damage();
-  if (!is_end_told_ && !gzip_damage.empty()) {
+  if (!is_end_reported_ && !gzip_damage.empty()) {
     stream_->problems().remarks.push_back(gzip_damage + "; the log was read up to there");
   }
-  is_end_told_ = true;
+  is_end_reported_ = true;
   const bool is_one_wanted = !options_.sensor.empty() && options_.sensor != "all";
   if (num_scans_handed_on_ > 0) return nullptr;
   std::string reason =

@@ -50,7 +50,7 @@ struct ReportClosure {
 struct ReportHeading {
   Timestamp stamp;
   /// Against the building, its frame's direction included, known modulo 90 degrees; nothing where
-  /// no wall told.
+  /// no wall was measured.
   std::optional<double> measured_rad;
   int frame = 0;             ///< Which of the building's frames: index in frame_headings_rad.
   double weight = 0.0;       ///< How far the measured heading was believed, 0 to 1.
@@ -64,7 +64,7 @@ struct ReportFigure {
   std::string name;
   std::string value;
   std::string unit;         ///< May be empty.
-  std::string explanation;  ///< A sentence for whoever does not know the name; may be empty.
+  std::string explanation;  ///< A sentence for a reader who does not know the name; may be empty.
 };
 
 /// What the page about a map shows. Everything but the title may be empty.

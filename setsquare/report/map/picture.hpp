@@ -33,7 +33,7 @@ struct MapPictureParams {
 /// What is drawn upon the map's cells; all of it may be empty.
 struct MapPictureLayers {
   std::span<const StampedPose> T_map_base;     ///< The robot's poses, joined in their order.
-  std::span<const TrackCondition> conditions;  ///< One a pose; empty where every pose is tracked.
+  std::span<const TrackCondition> conditions;  ///< One per pose; empty where every pose is tracked.
   std::span<const LoopClosure> closures;       ///< Of poses with those stamps.
 };
 

@@ -40,7 +40,7 @@ tr.marked td { color: #12805c; font-weight: bold; }
 @media (max-width: 760px) {
   body { margin: 16px auto; padding: 0 12px; }
   h1 { font-size: 22px; }
-  .figure svg { min-width: min(480px, 140vw); }
+  .figure svg.half { min-width: 480px; }
   .figure svg.wide { min-width: 760px; }
   table.words td { white-space: normal; min-width: 8em; }
 }
@@ -69,8 +69,8 @@ std::string html_table(const StoryTable& table) {
 std::string html_figure(const Figure& figure) {
   std::string html = "<div class=\"figure\">\n";
   for (const SvgCanvas& panel : figure) {
-    const bool is_wide = panel.width_px() > 0.6 * kFigureWidth_px;
-    html += panel.element(is_wide ? "wide" : "");
+    const double width_px = panel.width_px();
+    html += panel.element(width_px > 900.0 ? "wide" : width_px > 500.0 ? "half" : "");
   }
   return html + "</div>\n";
 }

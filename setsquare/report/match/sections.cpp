@@ -68,11 +68,12 @@ Sections surface_sections(const MatchStory& story, const SurfaceEvidence& looked
   sections.push_back(
       {"From proposals to the answer", words_of_search(looked_at), search_figure(looked_at)});
   add_table("Proposals, and why they lost", story.remark, proposal_table(story), sections);
-  sections.push_back({"What the scores are made of",
-                      "Each scan's fine samples against the other scan: on its surface and facing "
-                      "the same way, off the surface, hidden behind it, outside its view, or where "
-                      "it saw through.",
-                      evidence_figure(looked_at)});
+  sections.push_back(
+      {"What the scores are made of",
+       "Each scan's fine samples against the other scan: agreeing (on its surface and facing the "
+       "same way), near it, hidden behind it, outside its view, or contradicted (it "
+       "saw through).",
+       evidence_figure(looked_at)});
   add_table("The verdict, and the rule that decided",
             "The rules are asked in this order; the first that fails decides. Where all hold, the "
             "scans are matched.",

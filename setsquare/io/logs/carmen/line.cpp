@@ -186,7 +186,7 @@ CarmenLine read_old_scan(bool is_front, TextScanner& text, CarmenState& state, L
   record.scan.max_range_m =
       (is_front ? state.front_max_range_m : state.rear_max_range_m).value_or(kSickLowestCode_m);
   return has_valid_geometry(record.scan) ? CarmenLine::kRecord
-                                         : damaged(state, "angles that are no scan's");
+                                         : damaged(state, "angles that no scan has");
 }
 
 /// ROBOTLASERn and, without poses and safety fields, RAWLASERn.
@@ -212,7 +212,7 @@ CarmenLine read_new_scan(bool has_poses, TextScanner& text, CarmenState& state, 
       record.scan, scanner->start_angle_rad, scanner->field_of_view_rad, scanner->bearing_step_rad);
   record.scan.max_range_m = max_range_from_stated(scanner->max_range_m);
   return has_valid_geometry(record.scan) ? CarmenLine::kRecord
-                                         : damaged(state, "angles that are no scan's");
+                                         : damaged(state, "angles that no scan has");
 }
 
 /// ODOM x y theta tv rv accel tail.

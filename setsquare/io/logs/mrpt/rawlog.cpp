@@ -169,10 +169,10 @@ bool MrptRawlog::read(LogRecord& record) {
     if (step == Step::kRecord) return true;
   }
   const bool is_inside_container = !num_left_in_container_.empty();
-  if (is_inside_container && !is_damage_told_) {
+  if (is_inside_container && !is_damage_reported_) {
     problems().add(fmt::format("offset {}", input_->offset()), "the log ends inside a container");
   }
-  is_damage_told_ = true;
+  is_damage_reported_ = true;
   return false;
 }
 

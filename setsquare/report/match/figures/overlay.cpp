@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/contradictions.hpp"
 #include "setsquare/report/match/figures/figures.hpp"
 #include "setsquare/report/match/figures/plot_panel.hpp"
-#include "setsquare/report/match/story/words.hpp"
 #include "setsquare/report/palette.hpp"
 
 namespace setsquare {
@@ -46,7 +46,11 @@ SvgCanvas overlay_panel(const MatchStory& story,
                   size,
                   ranges.x,
                   ranges.y,
-                  {fmt::format("{}: {}", name, words_of_pose(T_reference_current)),
+                  {fmt::format("{}: x {} m, y {} m, {} deg",
+                               name,
+                               fixed(T_reference_current.x_m, 3),
+                               fixed(T_reference_current.y_m, 3),
+                               fixed(deg_from_rad(T_reference_current.theta_rad), 2)),
                    "x [m], reference sensor's frame",
                    "y [m]"});
   const auto contradicted = contradicted_places(story, T_reference_current);

@@ -18,7 +18,8 @@
 namespace setsquare {
 namespace {
 
-constexpr double kHalfWidth_px = kFigureWidth_px / 2.0;
+/// A third of a row: it fits a phone without becoming too small to read.
+constexpr double kPanelSide_px = kFigureWidth_px / 3.0;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<Eigen::Vector2d> places_of(const std::vector<float>& x_m,
@@ -49,7 +50,7 @@ std::vector<Eigen::Vector2d> points_without_line(const SurfacePoints& points) {
 }
 
 SvgCanvas surface_panel(const PreparedScan& scan, const char* name, Color value) {
-  const Eigen::Vector2d size(kHalfWidth_px, 520.0);
+  const Eigen::Vector2d size(kPanelSide_px, kPanelSide_px);
   SvgCanvas canvas(size.x(), size.y());
   const SurfacePoints& points = scan.points;
   const double wall_m = std::accumulate(points.weight_m.begin(), points.weight_m.end(), 0.0);
@@ -110,7 +111,7 @@ double highest_in(const std::vector<Eigen::Vector2d>& curve) {
 }
 
 SvgCanvas histogram_panel(const SurfaceEvidence& looked_at) {
-  const Eigen::Vector2d size(kHalfWidth_px, 280.0);
+  const Eigen::Vector2d size(kPanelSide_px, 280.0);
   SvgCanvas canvas(size.x(), size.y());
   const auto reference = histogram_curve(looked_at.reference.histogram);
   const auto current = histogram_curve(looked_at.current.histogram);
@@ -128,7 +129,7 @@ SvgCanvas histogram_panel(const SurfaceEvidence& looked_at) {
 }
 
 SvgCanvas correlation_panel(const MatchStory& story, const SurfaceEvidence& looked_at) {
-  const Eigen::Vector2d size(kHalfWidth_px, 280.0);
+  const Eigen::Vector2d size(kPanelSide_px, 280.0);
   SvgCanvas canvas(size.x(), size.y());
   PlotPanel panel(canvas,
                   {0.0, 0.0},
@@ -145,7 +146,7 @@ SvgCanvas correlation_panel(const MatchStory& story, const SurfaceEvidence& look
   if (story.result.T_reference_current) {
     const double rotation_deg = deg_from_rad(story.result.T_reference_current->theta_rad);
     panel.vertical(
-        rotation_deg, palette::kAnswer, fmt::format("answer {} deg", fixed(rotation_deg, 1)));
+        rotation_deg, palette::kAnswer, fmt::format("answer {} deg", fixed(rotation_deg, 1)), 2);
   }
   panel.remark(fmt::format("{} rotations proposed", looked_at.trace.rotations.size()),
                palette::kRunnerUp,
@@ -166,8 +167,8 @@ struct FateStyle {
 
 // The last is drawn on top.
 constexpr std::array<FateStyle, 5> kFateStyles = {
-    {{CandidateFate::kDroppedEarly, palette::kFrame, "dropped by the coarse samples"},
-     {CandidateFate::kSameAsBetter, color(0x7a8794), "in the basin of a better one"},
+    {{CandidateFate::kDroppedEarly, color(0xa3acb5), "dropped by the coarse samples"},
+     {CandidateFate::kSameAsBetter, color(0x5b7fb0), "in the basin of a better one"},
      {CandidateFate::kOutscored, color(0x8a6d1f), "outscored by the fine samples"},
      {CandidateFate::kRunnerUp, palette::kRunnerUp, "runner-up"},
      {CandidateFate::kAnswer, palette::kAnswer, "answer"}}};
@@ -181,7 +182,7 @@ std::vector<Candidate> candidates_of(const MatchTrace& trace, CandidateFate fate
 }
 
 SvgCanvas translation_panel(const MatchTrace& trace) {
-  const Eigen::Vector2d size(kHalfWidth_px, 520.0);
+  const Eigen::Vector2d size(kPanelSide_px, kPanelSide_px);
   SvgCanvas canvas(size.x(), size.y());
   std::vector<Eigen::Vector2d> all;
   for (const TracedCandidate& traced : trace.candidates) {
@@ -195,6 +196,7 @@ SvgCanvas translation_panel(const MatchTrace& trace) {
                   ranges.x,
                   ranges.y,
                   {"From the proposed translation to the refined one", "x [m]", "y [m]"});
+  panel.sensor({0.0, 0.0}, 0.0, palette::kReference);
   for (const FateStyle& style : kFateStyles) {
     std::vector<Eigen::Vector2d> ways;
     std::vector<Eigen::Vector2d> ends;
@@ -207,12 +209,11 @@ SvgCanvas translation_panel(const MatchTrace& trace) {
     panel.curve(ways, style.value, 1.0, 0.7);
     panel.dots(ends, style.value, style.fate == CandidateFate::kAnswer ? 5.0 : 3.0);
   }
-  panel.sensor({0.0, 0.0}, 0.0, palette::kReference);
   return canvas;
 }
 
 SvgCanvas score_panel(const MatchTrace& trace) {
-  const Eigen::Vector2d size(kHalfWidth_px, 520.0);
+  const Eigen::Vector2d size(kPanelSide_px, kPanelSide_px);
   SvgCanvas canvas(size.x(), size.y());
   double lowest = 0.0;
   double most = 1.0;
@@ -225,7 +226,7 @@ SvgCanvas score_panel(const MatchTrace& trace) {
                   size,
                   {0.0, 1.05 * most},
                   {lowest - 0.05, 1.3},
-                  {"Correlation of the proposal against its score", "correlation", "score"});
+                  {"Correlation of each proposal against its score", "correlation", "score"});
   int line = static_cast<int>(kFateStyles.size());
   for (const FateStyle& style : kFateStyles) {
     std::vector<Eigen::Vector2d> places;

@@ -38,7 +38,7 @@ std::string fate_in_words(const TracedCandidate& traced, const MatchResult& resu
   return "";
 }
 
-StoryProposal told_proposal(const TracedCandidate& traced, const MatchResult& result) {
+StoryProposal proposal_of(const TracedCandidate& traced, const MatchResult& result) {
   const Candidate& candidate = traced.candidate;
   const Evidence& evidence = candidate.evidence;
   return {candidate.T_reference_current,
@@ -53,14 +53,14 @@ StoryProposal told_proposal(const TracedCandidate& traced, const MatchResult& re
 
 /// The best proposals: first those scored with the fine samples, then, by score, those that the
 /// coarse samples dropped.
-void tell_proposals(const MatchTrace& trace, MatchStory& story) {
+void add_proposals(const MatchTrace& trace, MatchStory& story) {
   std::size_t num_repeated = 0;
   std::size_t num_left_out = 0;
   for (const TracedCandidate& traced : trace.candidates) {
     if (traced.fate == CandidateFate::kSameAsBetter) {
       ++num_repeated;
     } else if (story.proposals.size() < kMaxProposals) {
-      story.proposals.push_back(told_proposal(traced, story.result));
+      story.proposals.push_back(proposal_of(traced, story.result));
     } else {
       ++num_left_out;
     }
@@ -102,7 +102,7 @@ MatchStory tell_default_match(const Scan& reference,
   looked_at.rules = verdict_rules(story.result, looked_at.trace, num_points, params.answer);
   story.evidence = evidence_in_words(story.result, looked_at.rules);
   story.measure_names = {"correlation", "agreeing", "contradicted", "hidden", "outside", "score"};
-  tell_proposals(looked_at.trace, story);
+  add_proposals(looked_at.trace, story);
   story.looked_at = std::move(looked_at);
   return story;
 }
