@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/core/save_file.hpp"
 
+#include <fmt/format.h>
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -45,9 +47,7 @@ std::FILE* open_temporary(const fs::path& path, fs::path& temporary) {
   constexpr int kMaxLeftovers = 1000;
   for (int i = 0; i < kMaxLeftovers; ++i) {
     temporary = path;
-    temporary += '.';
-    temporary += std::to_string(i);
-    temporary += ".part";
+    temporary += fmt::format(".{}.part", i);
     std::FILE* const file = std::fopen(temporary.c_str(), "wbx");
     if (file != nullptr || errno != EEXIST) return file;
   }

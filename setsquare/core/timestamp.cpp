@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/core/timestamp.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 namespace setsquare {
@@ -64,14 +65,8 @@ std::string to_string(Timestamp stamp) {
                                          ? std::uint64_t{0} - static_cast<std::uint64_t>(stamp.ns)
                                          : static_cast<std::uint64_t>(stamp.ns);
   const std::uint64_t us = magnitude_ns / 1000 + (magnitude_ns % 1000 >= 500 ? 1 : 0);
-  char text[40];
-  const int length = std::snprintf(text,
-                                   sizeof text,
-                                   "%s%llu.%06llu",
-                                   is_negative && us != 0 ? "-" : "",
-                                   static_cast<unsigned long long>(us / 1'000'000),
-                                   static_cast<unsigned long long>(us % 1'000'000));
-  return {text, static_cast<std::size_t>(length)};
+  return fmt::format(
+      "{}{}.{:06}", is_negative && us != 0 ? "-" : "", us / 1'000'000, us % 1'000'000);
 }
 
 }  // namespace setsquare

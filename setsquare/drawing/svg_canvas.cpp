@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/drawing/svg_canvas.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdint>
 
 #include "setsquare/drawing/text.hpp"
 
@@ -11,7 +12,7 @@ namespace setsquare {
 namespace {
 
 std::string attribute(std::string_view name, std::string_view value) {
-  return joined({" ", name, "=\"", escape_xml(value), "\""});
+  return fmt::format(" {}=\"{}\"", name, escape_xml(value));
 }
 
 std::string attribute(std::string_view name, double value) {
@@ -19,13 +20,7 @@ std::string attribute(std::string_view name, double value) {
 }
 
 std::string hexadecimal(Color value) {
-  constexpr std::string_view kDigits = "0123456789abcdef";
-  std::string text = "#";
-  for (const std::uint8_t channel : {value.red, value.green, value.blue}) {
-    text += kDigits[channel / 16];
-    text += kDigits[channel % 16];
-  }
-  return text;
+  return fmt::format("#{:02x}{:02x}{:02x}", value.red, value.green, value.blue);
 }
 
 std::string attributes_of(const ShapeStyle& style) {
@@ -41,7 +36,7 @@ std::string attributes_of(const ShapeStyle& style) {
 }
 
 std::string point_of_path(char command, const Eigen::Vector2d& point) {
-  return joined({{&command, 1}, svg_number(point.x()), " ", svg_number(point.y())});
+  return fmt::format("{}{} {}", command, svg_number(point.x()), svg_number(point.y()));
 }
 
 }  // namespace
@@ -116,26 +111,21 @@ void SvgCanvas::text(const Eigen::Vector2d& position,
   if (style.is_bold) body_ += attribute("font-weight", "bold");
   if (style.rotation_deg != 0.0) {
     body_ += attribute("transform",
-                       joined({"rotate(",
-                               svg_number(style.rotation_deg),
-                               " ",
-                               svg_number(position.x()),
-                               " ",
-                               svg_number(position.y()),
-                               ")"}));
+                       fmt::format("rotate({} {} {})",
+                                   svg_number(style.rotation_deg),
+                                   svg_number(position.x()),
+                                   svg_number(position.y())));
   }
-  body_ += joined({">", escape_xml(words), "</text>\n"});
+  body_ += fmt::format(">{}</text>\n", escape_xml(words));
 }
 
 void SvgCanvas::begin_clip(const Eigen::Vector2d& corner, const Eigen::Vector2d& size) {
   // A nested svg element clips to its viewport and needs no id, which two pictures could share.
-  const std::string box = joined({svg_number(corner.x()),
-                                  " ",
-                                  svg_number(corner.y()),
-                                  " ",
-                                  svg_number(size.x()),
-                                  " ",
-                                  svg_number(size.y())});
+  const std::string box = fmt::format("{} {} {} {}",
+                                      svg_number(corner.x()),
+                                      svg_number(corner.y()),
+                                      svg_number(size.x()),
+                                      svg_number(size.y()));
   body_ += "<svg" + attribute("x", corner.x()) + attribute("y", corner.y()) +
            attribute("width", size.x()) + attribute("height", size.y()) +
            attribute("viewBox", box) + attribute("overflow", "hidden") + ">\n";
@@ -144,22 +134,20 @@ void SvgCanvas::begin_clip(const Eigen::Vector2d& corner, const Eigen::Vector2d&
 void SvgCanvas::end_clip() { body_ += "</svg>\n"; }
 
 void SvgCanvas::place(const SvgCanvas& other, const Eigen::Vector2d& corner) {
-  body_ += joined({"<svg", attribute("x", corner.x()), attribute("y", corner.y()), ">\n"});
-  body_ += other.body_;
-  body_ += "</svg>\n";
+  body_ += fmt::format(
+      "<svg{}{}>\n{}</svg>\n", attribute("x", corner.x()), attribute("y", corner.y()), other.body_);
 }
 
-std::string SvgCanvas::element() const {
+std::string SvgCanvas::element(std::string_view css_class) const {
   const std::string width = svg_number(width_px_);
   const std::string height = svg_number(height_px_);
-  return joined({"<svg xmlns=\"http://www.w3.org/2000/svg\"",
-                 attribute("width", width),
-                 attribute("height", height),
-                 attribute("viewBox", joined({"0 0 ", width, " ", height})),
-                 attribute("font-family", "Helvetica, Arial, Liberation Sans, sans-serif"),
-                 ">\n",
-                 body_,
-                 "</svg>\n"});
+  return fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\"{}{}{}{}{}>\n{}</svg>\n",
+                     css_class.empty() ? "" : attribute("class", css_class),
+                     attribute("width", width),
+                     attribute("height", height),
+                     attribute("viewBox", fmt::format("0 0 {} {}", width, height)),
+                     attribute("font-family", "Helvetica, Arial, Liberation Sans, sans-serif"),
+                     body_);
 }
 
 std::string SvgCanvas::document() const {

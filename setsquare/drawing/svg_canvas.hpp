@@ -60,9 +60,10 @@ class SvgCanvas {
   [[nodiscard]] double width_px() const { return width_px_; }
   [[nodiscard]] double height_px() const { return height_px_; }
 
-  /// The whole picture as an XML document, or, to stand inside an HTML page, its svg element alone.
+  /// The whole picture as an XML document, or, to stand inside an HTML page, its svg element alone,
+  /// of a class of the page's style where one is named.
   [[nodiscard]] std::string document() const;
-  [[nodiscard]] std::string element() const;
+  [[nodiscard]] std::string element(std::string_view css_class = "") const;
 
  private:
   double width_px_;

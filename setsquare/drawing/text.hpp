@@ -10,15 +10,16 @@ namespace setsquare {
 /// Which part of a line of text stands at its position.
 enum class TextAnchor { kStart, kMiddle, kEnd };
 
-/// The pieces one after the other.
+/// The pieces one after the other. For the experiments only, until they are drawn by a web
+/// template; elsewhere fmt::format.
 [[nodiscard]] std::string joined(std::initializer_list<std::string_view> pieces);
 
 /// A number with this many decimals (0 to 9), a point whatever the locale; "nan" and "inf" for
 /// what is no number; never "-0.00".
 [[nodiscard]] std::string fixed(double value, int num_decimals);
 
-/// The text with the five characters that XML reserves replaced; what XML 1.0 forbids (control
-/// characters) or may misread (bytes outside ASCII) becomes a question mark.
+/// UTF-8 text with the five characters that XML reserves replaced. What XML 1.0 forbids (control
+/// characters, bytes that are no UTF-8) becomes U+FFFD, the replacement character.
 [[nodiscard]] std::string escape_xml(std::string_view text);
 
 }  // namespace setsquare

@@ -39,7 +39,7 @@ class ChainedReference {
                    const RelationGraphParams& graph_params = {});
 
   /// T_i_j by the cheapest chain and by the cheapest of those that share no pair of stamps with it:
-  /// none, one or two poses. None, too, where both hops meet at one stamp: no relation told it.
+  /// none, one or two poses. None, too, where both hops meet at one stamp: no relation measured it.
   [[nodiscard]] std::vector<ReferencePose> expected(Timestamp stamp_i, Timestamp stamp_j) const;
 
  private:

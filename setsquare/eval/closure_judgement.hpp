@@ -104,7 +104,7 @@ struct ClosureSummary {
 
 inline constexpr double kHeavyClosure = 0.3;
 
-/// Counts the judgements of judge_closures(), one a closure, in the same order.
+/// Counts the judgements of judge_closures(), one per closure, in the same order.
 [[nodiscard]] ClosureSummary summarise_closures(std::span<const LoopClosure> closures,
                                                 std::span<const ClosureJudgement> judgements);
 

@@ -7,7 +7,7 @@
 
 namespace setsquare {
 
-/// What is told of a set of errors. The deviation is that of the set (divided by n, as evo does),
+/// Summary of a set of errors. The deviation is that of the set (divided by n, as evo does),
 /// so that rmse^2 = mean^2 + deviation^2; all are 0 for an empty set.
 struct ErrorStatistics {
   std::size_t num_values = 0;

@@ -9,6 +9,7 @@
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/information.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
+#include "setsquare/matching/trace.hpp"
 #include "setsquare/matching/verdict.hpp"
 #include "setsquare/paper/projected_profile.hpp"
 #include "setsquare/paper/zncc.hpp"
@@ -121,6 +122,13 @@ std::optional<double> open_direction_rad(const WallConstraint& constraint,
   return constraint.open_direction_rad;
 }
 
+TracedVerdict traced(const VerdictEvidence& evidence, const AnswerParams& params) {
+  return {.constraint = evidence.constraint,
+          .two_way = evidence.two_way,
+          .distinct_wall_m = evidence.distinct_wall_m,
+          .min_distinct_m = params.min_distinct_m};
+}
+
 }  // namespace
 
 AxisZncc axis_zncc(const PreparedScan& reference,
@@ -140,21 +148,23 @@ AxisZncc axis_zncc(const PreparedScan& reference,
 MatchResult answer(const PreparedScan& reference,
                    const PreparedScan& current,
                    std::span<const Candidate> candidates,
-                   const MatchParams& params) {
+                   const MatchParams& params,
+                   MatchTrace* trace) {
   if (candidates.empty()) return {.status = MatchStatus::kNoOverlap};
   const SweepRefinement refined = refine_answer(reference, current, candidates.front(), params);
   const CandidateMeasures ranked = measure_candidate(candidates, params.answer);
   const PoseMeasures measured =
       measure_pose(reference, current, refined.T_reference_current, params);
-  const WallConstraint constraint = wall_constraint(refined.pose_hessian);
+  const VerdictEvidence evidence{
+      .candidates = candidates,
+      .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
+      .constraint = wall_constraint(refined.pose_hessian),
+      .two_way = measured.two_way,
+      .distinct_wall_m = measured.distinct_wall_m};
 
   MatchResult result;
-  result.status = verdict({.candidates = candidates,
-                           .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
-                           .constraint = constraint,
-                           .two_way = measured.two_way,
-                           .distinct_wall_m = measured.distinct_wall_m},
-                          params.answer);
+  result.status = verdict(evidence, params.answer);
+  if (trace != nullptr) trace->verdict = traced(evidence, params.answer);
   result.T_reference_current = refined.T_reference_current;
   result.information = match_information(refined.normal);
   result.score = ranked.score;
@@ -165,7 +175,7 @@ MatchResult answer(const PreparedScan& reference,
   result.zncc_x = measured.zncc.x;
   result.zncc_y = measured.zncc.y;
   if (result.status == MatchStatus::kDegenerate) {
-    const auto open_rad = open_direction_rad(constraint, params.answer);
+    const auto open_rad = open_direction_rad(evidence.constraint, params.answer);
     result.degenerate_direction_rad = open_rad;
     result.information =
         without_direction(result.information,

@@ -11,11 +11,15 @@
 
 namespace setsquare {
 
+struct MatchTrace;
+
 /// The best candidate with its evidence, judged against the others (best first, may be empty).
+/// `trace`, if any, receives what the verdict measured.
 [[nodiscard]] MatchResult answer(const PreparedScan& reference,
                                  const PreparedScan& current,
                                  std::span<const Candidate> candidates,
-                                 const MatchParams& params);
+                                 const MatchParams& params,
+                                 MatchTrace* trace = nullptr);
 
 /// The correlation of the two scans' profiles along and across the reference's dominant direction
 /// at the given pose: evidence for a person, and the paper's measure.

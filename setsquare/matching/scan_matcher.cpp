@@ -48,15 +48,16 @@ MatchResult match(const PreparedScan& reference,
   const auto rotations =
       propose_rotations(reference.histogram, current.histogram, params.quick.num_rotations);
   const auto search = [&](std::span<const RotationProposal> tried, const SearchParams& effort) {
+    if (trace != nullptr) trace->verdict.reset();
     return search_candidates(reference, current, grid, tried, effort, params, trace);
   };
   MatchParams at_once = params;
   at_once.answer.min_distinct_m = params.answer.clear_distinct_m;
-  MatchResult result = answer(reference, current, search(rotations, params.quick), at_once);
+  MatchResult result = answer(reference, current, search(rotations, params.quick), at_once, trace);
   const bool is_thorough = result.status != MatchStatus::kMatched;
   if (is_thorough) {
     const auto circle = all_rotations(params.thorough.num_rotations);
-    result = answer(reference, current, search(circle, params.thorough), params);
+    result = answer(reference, current, search(circle, params.thorough), params, trace);
   }
   if (trace != nullptr) {
     trace->rotations = rotations;

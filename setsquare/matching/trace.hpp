@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "setsquare/matching/candidates.hpp"
+#include "setsquare/matching/verdict.hpp"
 #include "setsquare/surfaces/angle_histogram.hpp"
 
 namespace setsquare {
@@ -23,11 +25,20 @@ struct TracedCandidate {
   CandidateFate fate = CandidateFate::kDroppedEarly;
 };
 
+/// What the verdict measured at the answer.
+struct TracedVerdict {
+  WallConstraint constraint;
+  TwoWayEvidence two_way;
+  double distinct_wall_m = 0.0;
+  double min_distinct_m = 0.0;  ///< Asked of it: more of the quick search than of the thorough one.
+};
+
 /// What one match considered, for `explain`. Poses are those of the sensors.
 struct MatchTrace {
   std::vector<RotationProposal> rotations;  ///< Of the quick search.
   std::vector<TracedCandidate> candidates;  ///< Best first, of the last search that ran.
   bool was_thorough = false;                ///< Whether every rotation of the circle was tried.
+  std::optional<TracedVerdict> verdict;     ///< Of the last search; nothing without a candidate.
 };
 
 }  // namespace setsquare

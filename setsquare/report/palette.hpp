@@ -6,7 +6,7 @@
 
 namespace setsquare::palette {
 
-// One set of colours for every picture; told apart in the common forms of colour blindness.
+// One set of colours for every picture; they differ in the common forms of colour blindness.
 inline constexpr Color kInk = color(0x1f2933);        ///< Text, axes.
 inline constexpr Color kFaintInk = color(0x64707d);   ///< Tick labels, remarks.
 inline constexpr Color kGuide = color(0xe3e7eb);      ///< Grid lines.

@@ -17,7 +17,7 @@ struct PlanCells {
   double resolution_m = 0.0;
   std::size_t num_columns = 0;
   std::size_t num_rows = 0;
-  /// One a cell, row by row from the lowest: not 0 where the cell is filled.
+  /// One per cell, row by row from the lowest: not 0 where the cell is filled.
   std::vector<std::uint8_t> is_filled;
 
   /// Throws ParameterError where the resolution is not positive or the numbers do not agree.

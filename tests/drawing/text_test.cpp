@@ -28,8 +28,27 @@ TEST(Text, ZeroHasNoSign) {
 TEST(Text, EscapesWhatXmlReserves) {
   EXPECT_EQ(escape_xml("a < b && c > \"d\" 'e'"),
             "a &lt; b &amp;&amp; c &gt; &quot;d&quot; &#39;e&#39;");
-  EXPECT_EQ(escape_xml("\x01\x1b\xc3\xa9 ok\n"), "???? ok\n");
+  EXPECT_EQ(escape_xml("\x01\x1b\xc3\xa9 ok\n"), "\xef\xbf\xbd\xef\xbf\xbd\xc3\xa9 ok\n");
   EXPECT_EQ(escape_xml(""), "");
+}
+
+TEST(Text, KeepsWhatIsUtf8) {
+  for (const char* text :
+       {"B\xc3\xbcro_\xe6\x97\xa5\xe6\x9c\xac.clf", "\xf0\x9f\x97\xba", "\xef\xbf\xbc"}) {
+    EXPECT_EQ(escape_xml(text), text);
+  }
+}
+
+TEST(Text, WhatIsNoUtf8BecomesTheReplacementCharacter) {
+  const std::string mark = "\xef\xbf\xbd";
+  EXPECT_EQ(escape_xml("B\xfcro"), "B" + mark + "ro");  // Latin-1
+  EXPECT_EQ(escape_xml("\xc3"), mark);                  // cut off
+  EXPECT_EQ(escape_xml("\xc0\xaf"), mark + mark);       // longer than it must be
+  EXPECT_EQ(escape_xml("\xe0\x80\xaf"), mark + mark + mark);
+  EXPECT_EQ(escape_xml("\xed\xa0\x80"), mark + mark + mark);             // a surrogate
+  EXPECT_EQ(escape_xml("\xf4\x90\x80\x80"), mark + mark + mark + mark);  // beyond Unicode
+  EXPECT_EQ(escape_xml("\xef\xbf\xbf"), mark + mark + mark);             // XML 1.0 forbids U+FFFF
+  EXPECT_EQ(escape_xml("\xc2\x85\x7f\t"), mark + mark + mark + mark);    // controls
 }
 
 TEST(Text, JoinsPieces) { EXPECT_EQ(joined({"a", "", "bc"}), "abc"); }

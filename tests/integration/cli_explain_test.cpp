@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/data_dir.hpp"
@@ -42,10 +43,31 @@ std::ptrdiff_t num_lines(const std::string& text) {
   return std::count(text.begin(), text.end(), '\n');
 }
 
+/// What the picture and the page of a preset show.
+std::vector<std::string> sections_of(const std::string& preset) {
+  std::vector<std::string> sections = {"Proposals, and why they lost",
+                                       "laid over each other",
+                                       "scan 0, stamp 10.500000",
+                                       "scan 2, stamp 11.500000",
+                                       "room.clf"};
+  const std::vector<std::string> own =
+      preset == "paper" ? std::vector<std::string>{"before and after thinning",
+                                                   "Direction curve M(theta)",
+                                                   "Profiles at the dominant direction",
+                                                   "Correlation against the shift"}
+                        : std::vector<std::string>{"The two scans as surfaces",
+                                                   "Rotations that are proposed",
+                                                   "From proposals to the answer",
+                                                   "What the scores are made of",
+                                                   "The verdict, and the rule that decided"};
+  sections.insert(sections.end(), own.begin(), own.end());
+  return sections;
+}
+
 TEST(CommandExplain, WritesThePictureAndThePage) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", room_log());
-  for (const char* preset : {"default", "paper"}) {
+  for (const std::string preset : {"default", "paper"}) {
     for (const char* name : {"match.svg", "match.html"}) {
       const std::filesystem::path picture = folder.path() / name;
       const CommandOutcome outcome = run_setsquare("explain " + log + " 0 11.5 --preset " + preset +
@@ -54,19 +76,22 @@ TEST(CommandExplain, WritesThePictureAndThePage) {
       EXPECT_EQ(outcome.err, "");
       EXPECT_THAT(outcome.out, HasSubstr("rotation "));
       const std::string content = content_of(picture);
-      for (const char* section : {"before and after thinning",
-                                  "Direction curve M(theta)",
-                                  "Profiles at the dominant direction",
-                                  "Correlation against the shift",
-                                  "Proposals, and why they lost",
-                                  "laid over each other",
-                                  "scan 0, stamp 10.500000",
-                                  "scan 2, stamp 11.500000",
-                                  "room.clf"}) {
+      for (const std::string& section : sections_of(preset)) {
         EXPECT_THAT(content, HasSubstr(section)) << name << ", " << preset;
       }
+      EXPECT_EQ(content.find("thinning") != std::string::npos, preset == "paper") << name;
     }
   }
+}
+
+TEST(CommandExplain, ShowsTheNameOfTheLogAsItIs) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("B\xc3\xbcro_\xe6\x97\xa5.clf", room_log());
+  const std::filesystem::path picture = folder.path() / "match.html";
+  const CommandOutcome outcome =
+      run_setsquare("explain " + log + " 0 1 -o '" + picture.string() + "'");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(content_of(picture), HasSubstr("B\xc3\xbcro_\xe6\x97\xa5.clf"));
 }
 
 TEST(CommandExplain, WhatItCannotFindOrWriteIsOneLineAndCodeTwo) {

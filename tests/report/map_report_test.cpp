@@ -103,6 +103,14 @@ TEST(MapReport, TextCannotLeaveItsPlace) {
   EXPECT_THAT(html, Not(HasSubstr("\xff")));
 }
 
+TEST(MapReport, ShowsTheTitleAsItIs) {
+  MapReport report = drive(5, 1, 5);
+  report.title = "B\xc3\xbcro_\xe6\x97\xa5\xe6\x9c\xac.clf";
+  const std::string html = map_report_html(report);
+  EXPECT_THAT(html, HasSubstr("<title>" + report.title + "</title>"));
+  EXPECT_THAT(map_report_json(report), HasSubstr("B\\u00fcro_\\u65e5\\u672c.clf"));
+}
+
 TEST(MapReport, StandsNumbersThatAreNone) {
   Map map = drive(50, 1, 5);
   const double nan = std::nan("");

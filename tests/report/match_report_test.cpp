@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <string>
+#include <vector>
 
 #include "setsquare/report/match/report.hpp"
 #include "setsquare/report/match/sections.hpp"
@@ -21,7 +22,7 @@ Scan room_scan(double x_m) { return scan_of_room({x_m, 2.5, 0.2}, 9.0, 6.0, 360)
 
 MatchStory told(bool is_paper) {
   const StoryNames names = {
-      "<log> & \"co\".clf", "scan 3, stamp 1.500000", "scan 9, stamp 4.250000"};
+      "<log> & \"co\"_\xe6\x97\xa5.clf", "scan 3, stamp 1.500000", "scan 9, stamp 4.250000"};
   return is_paper ? tell_paper_match(room_scan(3.0), room_scan(3.4), names)
                   : tell_default_match(room_scan(3.0), room_scan(3.4), names);
 }
@@ -32,22 +33,39 @@ TEST_P(MatchReport, SvgIsWellFormedAndHasEverySection) {
   const MatchStory story = told(GetParam());
   const std::string svg = match_report_svg(story);
   EXPECT_EQ(xml_fault(svg), std::nullopt);
-  for (const char* words : {"thinned: ",
-                            "M(theta) / mean",
-                            "theta_D reference",
-                            "off it (theta_D + 30 deg)",
-                            "shift lambda [m]",
-                            "chosen: ",
-                            "the answer: ",
+  for (const char* words : {"the answer: ",
                             "Answer: x ",
                             "Runner-up: x ",
                             "scan 3, stamp 1.500000",
-                            "&lt;log&gt; &amp; &quot;co&quot;.clf"}) {
+                            "&lt;log&gt; &amp; &quot;co&quot;_\xe6\x97\xa5.clf"}) {
     EXPECT_THAT(svg, HasSubstr(words));
+  }
+  const std::vector<const char*> of_paper = {"thinned: ",
+                                             "M(theta) / mean",
+                                             "theta_D reference",
+                                             "off it (theta_D + 30 deg)",
+                                             "shift lambda [m]",
+                                             "chosen: "};
+  const std::vector<const char*> of_surfaces = {"coarse samples",
+                                                "returns without a line",
+                                                "Correlation of the two histograms",
+                                                "rotations proposed",
+                                                "dropped by the coarse samples: ",
+                                                "m of wall compared",
+                                                "What decided: ",
+                                                "Marginal sigma",
+                                                "Proposed: x ",
+                                                "Agreeing wall on different lines"};
+  for (const char* words : of_paper) {
+    EXPECT_EQ(svg.find(words) != std::string::npos, GetParam()) << words;
+  }
+  for (const char* words : of_surfaces) {
+    EXPECT_EQ(svg.find(words) != std::string::npos, !GetParam()) << words;
   }
   for (const MatchSection& section : match_sections(story)) {
     EXPECT_THAT(svg, HasSubstr(">" + section.title + "<"));
-    EXPECT_GT(section.figure.height_px(), 0.0);
+    ASSERT_FALSE(section.figure.empty());
+    for (const SvgCanvas& panel : section.figure) EXPECT_GT(panel.height_px(), 0.0);
   }
 }
 
@@ -61,6 +79,7 @@ TEST_P(MatchReport, HtmlNeedsNothingElse) {
   EXPECT_THAT(html, Not(HasSubstr("url(")));
   EXPECT_THAT(html, Not(HasSubstr("@import")));
   EXPECT_THAT(html, HasSubstr("<table>"));
+  EXPECT_THAT(html, HasSubstr("<meta name=\"viewport\""));
   EXPECT_THAT(html, HasSubstr("the answer: "));
   for (const MatchSection& section : match_sections(story)) {
     EXPECT_THAT(html, HasSubstr("<h2>" + section.title + "</h2>"));

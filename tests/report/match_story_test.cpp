@@ -2,11 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 
-#include <numeric>
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "setsquare/report/match/figures/figures.hpp"
-#include "setsquare/report/match/story/scan.hpp"
+#include "setsquare/report/match/story/paper_match.hpp"
 #include "setsquare/report/match/story/story.hpp"
+#include "setsquare/report/match/story/verdict_rules.hpp"
+#include "setsquare/scan/scan_to_points.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rectangular_room.hpp"
 
@@ -28,10 +33,11 @@ Scan half_scan(const Pose2& T_room_sensor) {
   return scan;
 }
 
-TEST(StoryScan, CurveProfilesAndThinningBelongTogether) {
-  const StoryScan scan = story_scan(half_scan(kReference), {});
-  EXPECT_EQ(scan.points.size(), 361U);
-  EXPECT_LT(scan.thinned.size(), scan.points.size());
+TEST(PaperScan, CurveProfilesAndThinningBelongTogether) {
+  const PointSet points = points_from_scan(half_scan(kReference));
+  EXPECT_EQ(points.size(), 361U);
+  const PaperScan scan = paper_scan(points, {});
+  EXPECT_LT(scan.thinned.size(), points.size());
   EXPECT_EQ(scan.moments.size(), 1800U);
   const auto highest = std::max_element(scan.moments.begin(), scan.moments.end());
   EXPECT_NEAR(*highest, scan.dominant.moment, 0.02 * *highest);  // bins may round differently
@@ -44,24 +50,15 @@ TEST(StoryScan, CurveProfilesAndThinningBelongTogether) {
   EXPECT_GT(peak(scan.along), 3 * peak(scan.off));
 }
 
-TEST(StoryRotation, PeaksWhereThePoseSays) {
-  const StoryScan reference = story_scan(half_scan(kReference), {});
-  const StoryScan current = story_scan(half_scan(kCurrent), {});
-  const Pose2 T_reference_current = kReference.inverse() * kCurrent;
-  const ShiftSearch search = {.max_shift_m = 2.5, .step_m = 0.02};
-  const StoryRotation rotation = story_rotation(reference, current, T_reference_current, search);
-  const auto peak_m = [&](const std::vector<std::int32_t>& correlation) {
-    return search.shift_m(first_peak(correlation));
-  };
-  EXPECT_NEAR(peak_m(rotation.along), rotation.shift_along_m, 0.05);
-  EXPECT_NEAR(peak_m(rotation.across), rotation.shift_across_m, 0.05);
-}
-
 TEST(PaperStory, TellsTheFourOffsetsAndTheMatchersOwnAnswer) {
   const MatchStory story = tell_paper_match(half_scan(kReference), half_scan(kCurrent), {});
   ASSERT_TRUE(story.result.T_reference_current.has_value());
   ASSERT_EQ(story.proposals.size(), 4U);
-  ASSERT_EQ(story.rotations.size(), 4U);
+  const auto& looked_at = std::get<PaperEvidence>(story.looked_at);
+  ASSERT_EQ(looked_at.rotations.size(), 4U);
+  const PaperRotation& answer = looked_at.rotations.front();
+  EXPECT_EQ(looked_at.shifts.shift_m(first_peak(answer.along)), answer.shift_along_m);
+  EXPECT_EQ(looked_at.shifts.shift_m(first_peak(answer.across)), answer.shift_across_m);
   EXPECT_THAT(story.proposals[0].T_reference_current,
               PoseNear(*story.result.T_reference_current, testing::PoseTolerance{}));
   EXPECT_THAT(story.proposals[0].fate, ::testing::HasSubstr("answer"));
@@ -78,8 +75,12 @@ TEST(DefaultStory, TellsTheMatchersOwnAnswerAndTheLosers) {
   EXPECT_THAT(story.proposals[0].T_reference_current,
               PoseNear(kReference.inverse() * kCurrent,
                        (testing::PoseTolerance{.translation_m = 0.02, .rotation_rad = 0.01})));
-  ASSERT_FALSE(story.rotations.empty());
-  EXPECT_EQ(story.rotations[0].rotation_rad, story.result.T_reference_current->theta_rad);
+  const auto& looked_at = std::get<SurfaceEvidence>(story.looked_at);
+  EXPECT_FALSE(looked_at.trace.rotations.empty());
+  ASSERT_TRUE(story.T_proposed.has_value());
+  EXPECT_THAT(*story.T_proposed,
+              PoseNear(story.proposals[0].T_reference_current,
+                       (testing::PoseTolerance{.translation_m = 0.3, .rotation_rad = 0.1})));
   for (const StoryProposal& proposal : story.proposals) {
     EXPECT_EQ(proposal.measures.size(), story.measure_names.size());
     EXPECT_FALSE(proposal.fate.empty());
@@ -91,6 +92,35 @@ TEST(DefaultStory, TellsTheMatchersOwnAnswerAndTheLosers) {
                 PoseNear(story.result.runner_up->T_reference_current,
                          (testing::PoseTolerance{.translation_m = 0.02, .rotation_rad = 0.01})));
   }
+}
+
+/// Scans of rooms, of corridors and of nothing, near each other and far apart.
+std::vector<std::pair<Scan, Scan>> odd_and_even_pairs() {
+  std::vector<std::pair<Scan, Scan>> pairs;
+  const Scan whole = scan_of_room(kReference, 9.0, 6.0, 360);
+  pairs.emplace_back(half_scan(kReference), half_scan(kCurrent));
+  pairs.emplace_back(whole, scan_of_room(kCurrent, 9.0, 6.0, 360));
+  pairs.emplace_back(whole, scan_of_room({2.0, 2.0, 1.0}, 4.0, 4.0, 360));
+  pairs.emplace_back(scan_of_room({20.0, 1.0, 0.1}, 40.0, 2.0, 360),
+                     scan_of_room({21.0, 1.1, 0.0}, 40.0, 2.0, 360));
+  Scan no_returns = whole;
+  no_returns.ranges_m.assign(no_returns.num_beams(), 81.83);
+  pairs.emplace_back(whole, no_returns);
+  Scan few_returns = no_returns;
+  for (std::size_t i = 0; i < 12; ++i) few_returns.ranges_m[i] = whole.ranges_m[i];
+  pairs.emplace_back(whole, few_returns);
+  return pairs;
+}
+
+TEST(VerdictRules, ComeToTheMatchersOwnVerdict) {
+  std::set<MatchStatus> met;
+  for (const auto& [reference, current] : odd_and_even_pairs()) {
+    const MatchStory story = tell_default_match(reference, current, {});
+    const auto& looked_at = std::get<SurfaceEvidence>(story.looked_at);
+    EXPECT_EQ(to_string(status_of_rules(looked_at.rules)), to_string(story.result.status));
+    met.insert(story.result.status);
+  }
+  EXPECT_GE(met.size(), 3U);
 }
 
 TEST(Story, ScansWithoutReturnsAreToldToo) {

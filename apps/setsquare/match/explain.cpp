@@ -81,10 +81,11 @@ void add_explain(CLI::App& application) {
   add_preset_option(*explain_command, options->preset);
   add_log_options(*explain_command, options->log);
   explain_command->footer(
-      "Shows the two scans before and after thinning, the direction curve M(theta), the profiles\n"
-      "at the dominant direction and off it, the correlation curves with the chosen shifts, the\n"
-      "proposals that lost and why, and the scans laid over each other. Poses are those of the\n"
-      "sensors.\n"
+      "Shows the two scans as surfaces, the rotations that their walls propose, the proposals on\n"
+      "their way to the answer and why the others lost, what the scores are made of, the rule of\n"
+      "the verdict that decided, and the scans laid over each other. With --preset paper: the\n"
+      "scans before and after thinning, the direction curve M(theta), the profiles and their\n"
+      "correlations. Poses are those of the sensors.\n"
       "Examples:\n"
       "  setsquare explain intel.clf 100 140 -o match.svg\n"
       "  setsquare explain intel.clf 100 140 --preset paper -o match.html");

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/log_reader.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "setsquare/core/angle.hpp"
@@ -12,9 +14,12 @@ std::string summary(const LogProblems& problems) {
   if (problems.num_damaged == 0) return {};
   const LogProblem& first = problems.first.front();
   const bool is_one = problems.num_damaged == 1;
-  return std::to_string(problems.num_damaged) +
-         (is_one ? " damaged record skipped, at " : " damaged records skipped, the first at ") +
-         first.location + ": " + first.reason;
+  return fmt::format(
+      "{} {}{}: {}",
+      problems.num_damaged,
+      is_one ? "damaged record skipped, at " : "damaged records skipped, the first at ",
+      first.location,
+      first.reason);
 }
 
 void LogOptions::validate() const {

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/selecting_log_reader.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <tuple>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/mounting.hpp"
+#include "setsquare/core/median.hpp"
 
 namespace setsquare {
 namespace {
@@ -20,6 +23,47 @@ auto front_rank(const std::string& sensor, const Pose2& T_base_sensor) {
   const bool is_raw = sensor.starts_with("RAWLASER");
   const double turn_deg = std::round(std::abs(deg_from_rad(wrap_to_pi(T_base_sensor.theta_rad))));
   return std::tuple(is_raw, turn_deg, sensor);
+}
+
+constexpr double kFinestUnit_m = 1e-4;
+constexpr double kFinestUnit_rad = 1e-6;
+
+double settle(double value, double rounding, double finest_unit) {
+  if (rounding <= 0.0) return value;
+  const double unit = std::max(rounding, finest_unit);
+  if (std::abs(value) <= 1.5 * unit) return 0.0;
+  return std::round(value / unit) * unit;
+}
+
+/// The one mounting behind many: each is a difference of two rounded poses, so each is off by up to
+/// the rounding. Per coordinate: the median, rounded to the log's own unit, and zero where it is
+/// within the rounding. `rounding` in m and rad; 0 where the mountings are exact.
+Pose2 settle_mounting(std::vector<Pose2> mountings, double rounding) {
+  if (mountings.empty()) return {};
+  std::vector<double> x_m;
+  std::vector<double> y_m;
+  std::vector<double> turn_rad;  // from the first: no wrapping between values around pi
+  const double reference_rad = mountings.front().theta_rad;
+  for (const Pose2& mounting : mountings) {
+    x_m.push_back(mounting.x_m);
+    y_m.push_back(mounting.y_m);
+    turn_rad.push_back(wrap_to_pi(mounting.theta_rad - reference_rad));
+  }
+  const double heading_rad = wrap_to_pi(reference_rad + upper_median(std::move(turn_rad)));
+  return {settle(upper_median(std::move(x_m)), rounding, kFinestUnit_m),
+          settle(upper_median(std::move(y_m)), rounding, kFinestUnit_m),
+          settle(heading_rad, rounding, kFinestUnit_rad)};
+}
+
+/// Whether mountings differ by more than rounding explains (5 cm or 2 degrees beyond it): then the
+/// log's laser poses are not the robot's plus a mounting, but for instance corrected poses.
+bool is_mounting_varying(const Pose2& settled, const Pose2& measured, double rounding) {
+  constexpr double kMaxDistance_m = 0.05;
+  constexpr double kMaxTurn_rad = 0.035;
+  const double slack = 3.0 * rounding;
+  return std::hypot(measured.x_m - settled.x_m, measured.y_m - settled.y_m) >
+             kMaxDistance_m + slack ||
+         std::abs(wrap_to_pi(measured.theta_rad - settled.theta_rad)) > kMaxTurn_rad + slack;
 }
 
 }  // namespace
@@ -76,8 +120,10 @@ bool SelectingLogReader::is_wanted(const LogRecord& record) const {
 void SelectingLogReader::remark_varying(Mounting& mounting, const LogRecord& record) {
   mounting.is_varying = true;
   stream_->problems().remarks.push_back(
-      record.sensor + ": the laser's pose on the robot is not constant (record " +
-      std::to_string(record.position) + "); the one from the log's beginning is used");
+      fmt::format("{}: the laser's pose on the robot is not constant (record {}); the one from the "
+                  "log's beginning is used",
+                  record.sensor,
+                  record.position));
 }
 
 void SelectingLogReader::apply_mounting(LogRecord& record) {
@@ -100,10 +146,10 @@ void SelectingLogReader::apply_mounting(LogRecord& record) {
 
 const LogRecord* SelectingLogReader::finish() {
   const std::string gzip_damage = stream_->source().damage();
-  if (!is_end_told_ && !gzip_damage.empty()) {
+  if (!is_end_reported_ && !gzip_damage.empty()) {
     stream_->problems().remarks.push_back(gzip_damage + "; the log was read up to there");
   }
-  is_end_told_ = true;
+  is_end_reported_ = true;
   const bool is_one_wanted = !options_.sensor.empty() && options_.sensor != "all";
   if (num_scans_handed_on_ > 0) return nullptr;
   std::string reason =

@@ -46,7 +46,7 @@ class SelectingLogReader final : public LogReader {
   std::string name_;
   LogOptions options_;
   bool is_head_read_ = false;
-  bool is_end_told_ = false;
+  bool is_end_reported_ = false;
   std::deque<LogRecord> head_;
   LogRecord current_;
   std::map<std::string, Mounting> mountings_;

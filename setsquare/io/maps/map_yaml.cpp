@@ -2,14 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/maps/map_yaml.hpp"
 
+#include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/tables/shortest_number.hpp"
 
 namespace setsquare {
 namespace {
@@ -23,19 +24,19 @@ class MapYamlReader {
 
  private:
   [[noreturn]] void complain(const YAML::Mark& mark, const std::string& reason) const {
-    const std::string line = mark.is_null() ? "" : "line " + std::to_string(mark.line + 1);
+    const std::string line = mark.is_null() ? "" : fmt::format("line {}", mark.line + 1);
     throw FormatError(name_, line, reason);
   }
   [[nodiscard]] YAML::Node required(const char* key) const {
     const YAML::Node node = root_[key];
-    if (!node) complain(YAML::Mark::null_mark(), std::string(key) + " is missing");
+    if (!node) complain(YAML::Mark::null_mark(), fmt::format("{} is missing", key));
     return node;
   }
   [[nodiscard]] double number(const YAML::Node& node, const char* key) const {
     double value = 0.0;
     const bool is_number = node.IsScalar() && YAML::convert<double>::decode(node, value);
     if (!is_number || !std::isfinite(value)) {
-      complain(node.Mark(), std::string(key) + " must be a number");
+      complain(node.Mark(), fmt::format("{} must be a number", key));
     }
     return value;
   }
@@ -114,9 +115,9 @@ MapYaml MapYamlReader::read() const {
 
 /// The fewest digits that give the number back.
 std::string shortest(double value) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, value == 0.0 ? 0.0 : value).ptr;
-  return {digits, end};
+  std::string text;
+  append_shortest(text, value == 0.0 ? 0.0 : value);
+  return text;
 }
 
 /// A plain word where the letters allow it, else yaml's double quotes.
@@ -140,7 +141,7 @@ MapYaml map_yaml_from_text(const std::string& text, const std::string& name) {
     return MapYamlReader(root, name).read();
   } catch (const YAML::Exception& error) {
     const std::string line =
-        error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1);
+        error.mark.is_null() ? "" : fmt::format("line {}", error.mark.line + 1);
     throw FormatError(name, line, error.msg);
   }
 }
@@ -164,15 +165,18 @@ std::string text_from_map_yaml(const MapYaml& map) {
   const char* const mode = map.mode == MapMode::kTrinary ? "trinary"
                            : map.mode == MapMode::kScale ? "scale"
                                                          : "raw";
-  std::string text = "image: " + quoted_where_needed(map.image);
-  text += "\nmode: " + std::string(mode);
-  text += "\nresolution: " + shortest(map.resolution_m);
-  text += "\norigin: [" + shortest(map.T_map_grid.x_m) + ", " + shortest(map.T_map_grid.y_m) +
-          ", " + shortest(map.T_map_grid.theta_rad) + "]";
-  text += "\nnegate: " + std::string(map.is_negated ? "1" : "0");
-  text += "\noccupied_thresh: " + shortest(map.occupied_threshold);
-  text += "\nfree_thresh: " + shortest(map.free_threshold) + "\n";
-  return text;
+  return fmt::format(
+      "image: {}\nmode: {}\nresolution: {}\norigin: [{}, {}, {}]\nnegate: {}\noccupied_thresh: {}\n"
+      "free_thresh: {}\n",
+      quoted_where_needed(map.image),
+      mode,
+      shortest(map.resolution_m),
+      shortest(map.T_map_grid.x_m),
+      shortest(map.T_map_grid.y_m),
+      shortest(map.T_map_grid.theta_rad),
+      map.is_negated ? 1 : 0,
+      shortest(map.occupied_threshold),
+      shortest(map.free_threshold));
 }
 
 }  // namespace setsquare

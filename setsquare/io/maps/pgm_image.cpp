@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/maps/pgm_image.hpp"
 
+#include <fmt/format.h>
+
 #include <string_view>
 #include <utility>
 
@@ -27,7 +29,7 @@ class PgmReader {
 
  private:
   [[noreturn]] void complain(const std::string& reason) const {
-    throw FormatError(name_, "offset " + std::to_string(input_.offset()), reason);
+    throw FormatError(name_, fmt::format("offset {}", input_.offset()), reason);
   }
   /// The next byte without taking it, -1 at the end.
   [[nodiscard]] int peek() {
@@ -72,8 +74,7 @@ std::uint32_t PgmReader::number(std::string_view what, std::uint32_t least, std:
   if (!has_digits && peek() < 0) complain("the image ends too early");
   const bool is_end_clear = peek() < 0 || is_blank(peek()) || peek() == '#';
   if (!has_digits || !is_end_clear || value < least || value > most) {
-    complain(std::string(what) + " is not a number from " + std::to_string(least) + " to " +
-             std::to_string(most));
+    complain(fmt::format("{} is not a number from {} to {}", what, least, most));
   }
   return static_cast<std::uint32_t>(value);
 }
@@ -125,10 +126,9 @@ std::string pgm_from_image(const PgmImage& image) {
   if (image.width < 1 || image.height < 1) throw ParameterError("width", "must be positive");
   const std::uint64_t num_pixels =
       static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-  if (image.values.size() != num_pixels) throw ParameterError("values", "must be one a pixel");
+  if (image.values.size() != num_pixels) throw ParameterError("values", "must hold one value per pixel");
   if (image.white < 1) throw ParameterError("white", "must be positive");
-  std::string bytes = "P5\n" + std::to_string(image.width) + " " + std::to_string(image.height) +
-                      "\n" + std::to_string(image.white) + "\n";
+  std::string bytes = fmt::format("P5\n{} {}\n{}\n", image.width, image.height, image.white);
   const bool is_wide = image.white > 255;
   bytes.reserve(bytes.size() + (is_wide ? 2 : 1) * image.values.size());
   for (const std::uint16_t value : image.values) {

@@ -16,7 +16,7 @@ struct PgmImage {
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::uint16_t white = 255;          ///< The value that stands for white; 0 is black.
-  std::vector<std::uint16_t> values;  ///< One a pixel, row by row from the top.
+  std::vector<std::uint16_t> values;  ///< One per pixel, row by row from the top.
 };
 
 /// Reads a PGM image, binary (P5, one or two bytes a pixel) or plain text (P2); what follows it is

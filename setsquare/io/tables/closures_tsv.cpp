@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/tables/closures_tsv.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cstddef>
 #include <optional>
 #include <string_view>
@@ -14,6 +15,7 @@
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/io/logs/line_reader.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
+#include "setsquare/io/tables/shortest_number.hpp"
 #include "setsquare/io/tables/text_scanner.hpp"
 
 namespace setsquare {
@@ -37,23 +39,16 @@ std::optional<ClosureAxes> axes_from(std::string_view name) {
   return std::nullopt;
 }
 
-/// As few digits as read back to the same number.
-void append_number(std::string& text, double number) {
-  std::array<char, 32> digits{};
-  const auto [end, error] = std::to_chars(digits.data(), digits.data() + digits.size(), number);
-  text.append(digits.data(), end);
-}
-
 void append_row(std::string& text, const LoopClosure& closure) {
   text += to_string(closure.stamp_i) + '\t' + to_string(closure.stamp_j);
   for (const double number : {closure.T_i_j.x_m, closure.T_i_j.y_m, closure.T_i_j.theta_rad}) {
     text += '\t';
-    append_number(text, number);
+    append_shortest(text, number);
   }
   text += '\t';
   text += name_of(closure.axes);
   text += closure.is_accepted ? "\t1\t" : "\t0\t";
-  append_number(text, closure.weight);
+  append_shortest(text, closure.weight);
   text += '\t';
   for (const char c : closure.reason) text += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
   text += '\n';
@@ -108,7 +103,7 @@ std::optional<LoopClosure> closure_from(std::string_view line) {
 FormatError not_expected(const std::string& name,
                          const LineReader& lines,
                          const std::string& what) {
-  return {name, "line " + std::to_string(lines.line_number()), "expected " + what};
+  return {name, fmt::format("line {}", lines.line_number()), "expected " + what};
 }
 
 }  // namespace

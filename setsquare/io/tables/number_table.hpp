@@ -17,7 +17,8 @@
 
 namespace setsquare {
 
-/// One line of a table of numbers: so many stamps, then so many finite numbers, and nothing else.
+/// One line of a table of numbers: `num_stamps` stamps, then `num_values` finite numbers, nothing
+/// else.
 template <std::size_t num_stamps, std::size_t num_values>
 struct TableRow {
   std::array<Timestamp, num_stamps> stamps;

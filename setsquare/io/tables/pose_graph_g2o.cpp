@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/tables/pose_graph_g2o.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <Eigen/Eigenvalues>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/io/logs/line_reader.hpp"
+#include "setsquare/io/tables/shortest_number.hpp"
 #include "setsquare/io/tables/text_scanner.hpp"
 
 namespace setsquare {
@@ -24,10 +26,8 @@ constexpr double kRounding = 1e-6;
 
 template <typename Number>
 void append(std::string& text, Number number) {
-  char digits[32];
-  const auto end = std::to_chars(digits, digits + sizeof digits, number).ptr;
   text += ' ';
-  text.append(digits, end);
+  append_shortest(text, number);
 }
 
 void append(std::string& text, const Pose2& pose) {
@@ -128,7 +128,7 @@ class G2oLines {
     read.num_passed_over = num_passed_over_;
     for (std::size_t k = 0; k < vertices_.size(); ++k) {
       if (k > 0 && vertices_[k].id == vertices_[k - 1].id) {
-        fail(vertices_[k].line_number, "vertex " + std::to_string(vertices_[k].id) + " again");
+        fail(vertices_[k].line_number, fmt::format("vertex {} again", vertices_[k].id));
       }
       read.graph.T_map_node.push_back(vertices_[k].T_map_node);
     }
@@ -169,7 +169,7 @@ class G2oLines {
   };
 
   [[noreturn]] void fail(std::uint64_t line_number, const std::string& reason) const {
-    throw FormatError(name_, "line " + std::to_string(line_number), reason);
+    throw FormatError(name_, fmt::format("line {}", line_number), reason);
   }
 
   void require(bool is_read, std::uint64_t line_number, const std::string& expected) const {
@@ -208,7 +208,7 @@ class G2oLines {
   [[nodiscard]] std::size_t node_of(std::uint32_t id, std::uint64_t line_number) const {
     const auto found = std::ranges::lower_bound(vertices_, id, {}, &Vertex::id);
     if (found == vertices_.end() || found->id != id) {
-      fail(line_number, "there is no vertex " + std::to_string(id));
+      fail(line_number, fmt::format("there is no vertex {}", id));
     }
     return static_cast<std::size_t>(found - vertices_.begin());
   }

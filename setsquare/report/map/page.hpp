@@ -16,7 +16,7 @@ struct ReportFigure {
   std::string name;
   std::string value;
   std::string unit;         ///< May be empty.
-  std::string explanation;  ///< A sentence for whoever does not know the name; may be empty.
+  std::string explanation;  ///< A sentence for a reader who does not know the name; may be empty.
 };
 
 /// What the page about a map shows. Everything but the title may be empty.

@@ -31,7 +31,7 @@ constexpr double kTenthOfMilliradian = 1e-4;
 constexpr double kThousandth = 1e-3;
 constexpr std::int64_t kMillisecondNs = 1'000'000;
 
-/// A column of whole numbers, one a row.
+/// A column of whole numbers, one per row.
 template <typename Rows, typename NumberOf>
 std::string column(const Rows& rows, const NumberOf& number_of) {
   std::vector<std::int64_t> values;

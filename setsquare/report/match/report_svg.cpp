@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <vector>
 
-#include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/figures/figures.hpp"
-#include "setsquare/report/match/figures/status_color.hpp"
 #include "setsquare/report/match/report.hpp"
 #include "setsquare/report/match/sections.hpp"
 #include "setsquare/report/palette.hpp"
@@ -16,6 +15,39 @@ constexpr double kMargin_px = 40.0;
 constexpr double kSentence_px = 20.0;
 constexpr double kSectionHead_px = 58.0;
 constexpr double kGap_px = 26.0;
+
+/// Green for an answer that stands, red for none, amber for an open one.
+Color status_color(MatchStatus status) {
+  switch (status) {
+    case MatchStatus::kMatched:
+      return palette::kAnswer;
+    case MatchStatus::kAmbiguous:
+    case MatchStatus::kDegenerate:
+      return color(0xb26a00);
+    default:
+      return palette::kLost;
+  }
+}
+
+/// The panels in rows as wide as a figure.
+SvgCanvas in_rows(const Figure& figure) {
+  constexpr double kSlack_px = 0.5;  // Thirds do not sum exactly.
+  std::vector<Eigen::Vector2d> corners;
+  Eigen::Vector2d corner(0.0, 0.0);
+  double row_px = 0.0;
+  for (const SvgCanvas& panel : figure) {
+    if (corner.x() > 0.0 && corner.x() + panel.width_px() > kFigureWidth_px + kSlack_px) {
+      corner = {0.0, corner.y() + row_px};
+      row_px = 0.0;
+    }
+    corners.push_back(corner);
+    corner.x() += panel.width_px();
+    row_px = std::max(row_px, panel.height_px());
+  }
+  SvgCanvas rows(kFigureWidth_px, corner.y() + row_px);
+  for (std::size_t i = 0; i < figure.size(); ++i) rows.place(figure[i], corners[i]);
+  return rows;
+}
 
 double head_height_px(const MatchStory& story) {
   return 92.0 + kSentence_px * static_cast<double>(story.evidence.size());
@@ -43,23 +75,26 @@ void draw_head(SvgCanvas& canvas, const MatchStory& story) {
 
 std::string match_report_svg(const MatchStory& story) {
   const std::vector<MatchSection> sections = match_sections(story);
+  std::vector<SvgCanvas> figures;
   double height_px = head_height_px(story) + kMargin_px;
   for (const MatchSection& section : sections) {
-    height_px += kSectionHead_px + section.figure.height_px() + kGap_px;
+    figures.push_back(in_rows(section.figure));
+    height_px += kSectionHead_px + figures.back().height_px() + kGap_px;
   }
   SvgCanvas canvas(kFigureWidth_px + 2.0 * kMargin_px, height_px);
   canvas.rectangle({0.0, 0.0}, {canvas.width_px(), height_px}, {.fill = palette::kPaper});
   draw_head(canvas, story);
   double top_px = head_height_px(story) + kGap_px;
-  for (const MatchSection& section : sections) {
+  for (std::size_t i = 0; i < sections.size(); ++i) {
+    const MatchSection& section = sections[i];
     canvas.text({kMargin_px, top_px + 20.0},
                 section.title,
                 {.size_px = 18.0, .fill = palette::kInk, .is_bold = true});
     canvas.text({kMargin_px, top_px + 42.0},
                 section.caption,
                 {.size_px = 12.5, .fill = palette::kFaintInk});
-    canvas.place(section.figure, {kMargin_px, top_px + kSectionHead_px});
-    top_px += kSectionHead_px + section.figure.height_px() + kGap_px;
+    canvas.place(figures[i], {kMargin_px, top_px + kSectionHead_px});
+    top_px += kSectionHead_px + figures[i].height_px() + kGap_px;
   }
   return canvas.document();
 }

@@ -2,20 +2,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
-#include "setsquare/drawing/svg_canvas.hpp"
+#include "setsquare/report/match/figures/figures.hpp"
 #include "setsquare/report/match/story/story.hpp"
 
 namespace setsquare {
 
-/// A numbered part of a match report.
+/// A numbered part of a match report: what the picture (report_svg.cpp) and the page
+/// (report_html.cpp) have in common.
 struct MatchSection {
   std::string title;
   std::string caption;
-  SvgCanvas figure;
-  bool is_table = false;  ///< The proposals: a page shows them as a table instead.
+  Figure figure;
+  std::optional<StoryTable> table = std::nullopt;  ///< A page shows it instead of the figure.
 };
 
 /// The figures of a match in the order in which the match was made.

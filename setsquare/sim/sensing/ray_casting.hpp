@@ -76,7 +76,7 @@ class SegmentGrid {
   double cell_m_ = 1.0;
   std::size_t num_columns_ = 0;
   std::size_t num_rows_ = 0;
-  std::vector<std::uint32_t> first_entry_;  // One a cell, row by row, and the end.
+  std::vector<std::uint32_t> first_entry_;  // One per cell, row by row, and the end.
   std::vector<Entry> entries_;              // By cell.
 };
 

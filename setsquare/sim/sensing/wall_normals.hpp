@@ -30,7 +30,7 @@ class WallNormals {
     double turn_at_end_rad = 0.0;    // From this direction to the neighbour's.
   };
 
-  std::vector<Facet> facets_;  // One a segment.
+  std::vector<Facet> facets_;  // One per segment.
 };
 
 }  // namespace setsquare

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/sim/svg/floor_plan_svg.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -81,7 +83,7 @@ bool is_never_drawn(std::string_view name) {
 /// "line 12" of a byte offset.
 std::string line_at(std::string_view text, std::ptrdiff_t offset) {
   const auto end = text.begin() + std::clamp<std::ptrdiff_t>(offset, 0, std::ssize(text));
-  return "line " + std::to_string(1 + std::count(text.begin(), end, '\n'));
+  return fmt::format("line {}", 1 + std::count(text.begin(), end, '\n'));
 }
 
 /// What an element takes over from those around it.

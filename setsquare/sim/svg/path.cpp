@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/sim/svg/path.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -169,7 +171,7 @@ void Pen::draw(char command, SvgScanner& d) {
     case 'A':
       return arc_to(d);
     default:
-      throw SvgFault("path command '" + std::string(1, command) + "' is not known");
+      throw SvgFault(fmt::format("path command '{}' is not known", command));
   }
 }
 

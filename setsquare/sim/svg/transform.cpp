@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/sim/svg/transform.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -47,8 +49,7 @@ Eigen::Affine2d function_from(std::string_view name, const std::vector<double>& 
   if (name == "skewY" && count == 1) {
     return affine(1.0, std::tan(rad_from_deg(values[0])), 0.0, 1.0, 0.0, 0.0);
   }
-  throw SvgFault("transform " + std::string(name) + " with " + std::to_string(count) +
-                 " numbers is not known");
+  throw SvgFault(fmt::format("transform {} with {} numbers is not known", name, count));
 }
 
 }  // namespace

@@ -7,12 +7,47 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/carmen/scan_geometry.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 #include "setsquare/io/tables/text_scanner.hpp"
 
 namespace setsquare {
 namespace {
+
+/// The lowest code of SICK scanners for "nothing seen" in CARMEN logs (81.83 and 81.91 elsewhere).
+constexpr double kSickLowestCode_m = 50.0;
+
+/// Bearings of a message that carries no angles, from the number of beams (LogOptions).
+void set_symmetric_bearings(Scan& scan, const LogOptions& options) {
+  const auto num_beams = static_cast<double>(scan.num_beams());
+  const bool is_by_step = options.bearing_step_rad && !options.field_of_view_rad;
+  const double field_of_view_rad = is_by_step
+                                       ? std::abs(*options.bearing_step_rad) * (num_beams - 1.0)
+                                       : options.field_of_view_rad.value_or(kPi);
+  const bool is_odd = scan.num_beams() % 2 == 1;
+  const double num_steps = is_odd && scan.num_beams() > 1 ? num_beams - 1.0 : num_beams;
+  scan.bearing_step_rad = options.bearing_step_rad.value_or(field_of_view_rad / num_steps);
+  scan.first_bearing_rad =
+      scan.bearing_step_rad < 0.0 ? 0.5 * field_of_view_rad : -0.5 * field_of_view_rad;
+}
+
+/// Bearings of a message that carries them; a step of 0 is taken from the field of view.
+void set_stated_bearings(Scan& scan, double start_rad, double field_of_view_rad, double step_rad) {
+  scan.first_bearing_rad = start_rad;
+  scan.bearing_step_rad = step_rad;
+  if (step_rad == 0.0 && scan.num_beams() > 1) {
+    scan.bearing_step_rad = field_of_view_rad / static_cast<double>(scan.num_beams() - 1);
+  }
+}
+
+/// The reach from which ranges are no-returns, in m. SICK's own 81.90 or 81.91 is taken down to
+/// 81.83, where its error codes begin; a reach that is not positive stands for "not stated".
+double max_range_from_stated(double stated_m) {
+  constexpr double kSickFirstErrorCode_m = 81.83;
+  constexpr double kSickLastErrorCode_m = 81.92;
+  if (!(stated_m > 0.0)) return kSickLowestCode_m;
+  const bool is_sick_code = stated_m > kSickFirstErrorCode_m && stated_m <= kSickLastErrorCode_m;
+  return is_sick_code ? kSickFirstErrorCode_m : stated_m;
+}
 
 /// Messages of CARMEN that hold nothing for us.
 constexpr std::array<std::string_view, 17> kPassedOver = {"SYNC",
@@ -151,7 +186,7 @@ CarmenLine read_old_scan(bool is_front, TextScanner& text, CarmenState& state, L
   record.scan.max_range_m =
       (is_front ? state.front_max_range_m : state.rear_max_range_m).value_or(kSickLowestCode_m);
   return has_valid_geometry(record.scan) ? CarmenLine::kRecord
-                                         : damaged(state, "angles that are no scan's");
+                                         : damaged(state, "angles that no scan has");
 }
 
 /// ROBOTLASERn and, without poses and safety fields, RAWLASERn.
@@ -177,7 +212,7 @@ CarmenLine read_new_scan(bool has_poses, TextScanner& text, CarmenState& state, 
       record.scan, scanner->start_angle_rad, scanner->field_of_view_rad, scanner->bearing_step_rad);
   record.scan.max_range_m = max_range_from_stated(scanner->max_range_m);
   return has_valid_geometry(record.scan) ? CarmenLine::kRecord
-                                         : damaged(state, "angles that are no scan's");
+                                         : damaged(state, "angles that no scan has");
 }
 
 /// ODOM x y theta tv rv accel tail.

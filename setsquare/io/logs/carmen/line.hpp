@@ -16,7 +16,7 @@ enum class CarmenLine {
   kDamaged,   ///< Skipped; the reason is set.
 };
 
-/// What the lines before told: PARAM messages hold for the rest of the log.
+/// What earlier lines set: PARAM messages hold for the rest of the log.
 struct CarmenState {
   LogOptions options;
   std::optional<double> front_max_range_m;  ///< PARAM robot_front_laser_max.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/carmen/log.hpp"
 
+#include <fmt/format.h>
+
 #include <utility>
 
 namespace setsquare {
@@ -13,7 +15,7 @@ std::string reason_with_name(std::string_view reason, std::string_view line) {
   for (const char c : line.substr(0, std::min(line.find(' '), kMaxShown))) {
     name += c > ' ' && c <= '~' ? c : '?';
   }
-  return name + ": " + std::string(reason);
+  return fmt::format("{}: {}", name, reason);
 }
 
 }  // namespace
@@ -36,7 +38,7 @@ bool CarmenLog::read(LogRecord& record) {
       return true;
     }
     if (outcome == CarmenLine::kDamaged) {
-      problems().add("line " + std::to_string(lines_.line_number()),
+      problems().add(fmt::format("line {}", lines_.line_number()),
                      reason_with_name(state_.reason, *line));
     }
   }

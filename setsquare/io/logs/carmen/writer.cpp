@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/carmen/writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <iterator>
 #include <string_view>
 
 #include "setsquare/core/angle.hpp"
@@ -19,13 +21,8 @@ constexpr int kPoseDecimals = 6;
 constexpr int kBearingDecimals = 9;  // 1e-9 rad a step is 1e-6 rad over a thousand beams
 constexpr std::string_view kHost = " setsquare ";
 
-/// Fixed decimals, a point whatever the locale.
 void append_number(std::string& text, double value, int num_decimals) {
-  char digits[400];
-  const auto [end, error] =
-      std::to_chars(digits, digits + sizeof digits, value, std::chars_format::fixed, num_decimals);
-  static_cast<void>(error);  // the largest double has 309 digits before the point
-  text.append(digits, end);
+  fmt::format_to(std::back_inserter(text), "{:.{}f}", value, num_decimals);
 }
 
 void append_pose(std::string& text, const Pose2& pose) {
@@ -40,12 +37,12 @@ std::string text_of(Timestamp stamp) {
   const auto rest_ns = static_cast<int>(std::abs(stamp.ns % 1000));
   if (rest_ns == 0) return text;
   const bool has_lost_its_sign = stamp.ns < 0 && stamp.ns > -1000;
-  return (has_lost_its_sign ? "-" : "") + text + std::to_string(1000 + rest_ns).substr(1);
+  return fmt::format("{}{}{:03}", has_lost_its_sign ? "-" : "", text, rest_ns);
 }
 
 void append_tail(std::string& log, Timestamp stamp) {
   const std::string text = text_of(stamp);
-  ((((log += ' ') += text) += kHost) += text) += '\n';
+  log += fmt::format(" {}{}{}\n", text, kHost, text);
 }
 
 /// The range to write, a multiple of the unit, so that the beam's outcome stays what it was.

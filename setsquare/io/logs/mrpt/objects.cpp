@@ -123,7 +123,7 @@ std::string_view read_mrpt_scan(ByteCursor& bytes, int version, LogRecord& recor
   try {
     scan.validate();
   } catch (const ParameterError&) {
-    return "angles or maximum range that are no scan's";
+    return "angles or a maximum range that no scan has";
   }
   return {};
 }

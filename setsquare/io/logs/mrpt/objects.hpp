@@ -13,7 +13,7 @@ namespace setsquare {
 
 // Each of the following reads the body of an object behind its header, end flag excluded. The
 // result is empty, or static text that says why the object cannot be read. Whether the block was
-// too short is told by bytes.is_short(), whatever the result.
+// too short shows in bytes.is_short(), whatever the result.
 
 /// CObservation2DRangeScan, versions 0 to 7: fills ranges, geometry, mounting, stamp and sensor.
 /// Beams marked invalid become NaN unless they reach the scanner's maximum (a no-return). The

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/mrpt/rawlog.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -115,7 +117,7 @@ MrptRawlog::Attempt MrptRawlog::attempt(std::string_view bytes, LogRecord& recor
 }
 
 void MrptRawlog::resynchronise(const std::string& reason) {
-  problems().add("offset " + std::to_string(input_->offset()), reason);
+  problems().add(fmt::format("offset {}", input_->offset()), reason);
   num_left_in_container_.clear();
   may_stray_flags_follow_ = true;
   constexpr std::size_t kMaxHeaderBytes = 128;
@@ -167,10 +169,10 @@ bool MrptRawlog::read(LogRecord& record) {
     if (step == Step::kRecord) return true;
   }
   const bool is_inside_container = !num_left_in_container_.empty();
-  if (is_inside_container && !is_damage_told_) {
-    problems().add("offset " + std::to_string(input_->offset()), "the log ends inside a container");
+  if (is_inside_container && !is_damage_reported_) {
+    problems().add(fmt::format("offset {}", input_->offset()), "the log ends inside a container");
   }
-  is_damage_told_ = true;
+  is_damage_reported_ = true;
   return false;
 }
 

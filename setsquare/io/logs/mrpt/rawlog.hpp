@@ -59,7 +59,7 @@ class MrptRawlog final : public RecordStream {
   std::vector<std::uint32_t> num_left_in_container_;
   bool is_container_old_format_ = false;
   bool may_stray_flags_follow_ = false;  ///< Of containers lost when resynchronising.
-  bool is_damage_told_ = false;
+  bool is_damage_reported_ = false;
   std::optional<Pose2> T_odom_base_;
   bool is_odometry_summed_ = false;
 };

@@ -1,20 +1,22 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/contradictions.hpp"
 #include "setsquare/report/match/figures/figures.hpp"
 #include "setsquare/report/match/figures/plot_panel.hpp"
-#include "setsquare/report/match/figures/plotted_points.hpp"
-#include "setsquare/report/match/story/words.hpp"
 #include "setsquare/report/palette.hpp"
 
 namespace setsquare {
 namespace {
 
-constexpr double kOverlayHeight_px = 620.0;
+constexpr double kOverlayHeight_px = 480.0;
 
 /// Where either scan contradicts the other, in the reference's frame.
 std::vector<Eigen::Vector2d> contradicted_places(const MatchStory& story,
@@ -28,27 +30,29 @@ std::vector<Eigen::Vector2d> contradicted_places(const MatchStory& story,
   return places;
 }
 
-/// In the column of so many; the only one has the whole width.
-void draw_overlay(SvgCanvas& canvas,
-                  int column,
-                  int num_columns,
-                  const MatchStory& story,
-                  const std::string& name,
-                  const Pose2& T_reference_current) {
-  const Eigen::Vector2d size(kFigureWidth_px / num_columns, kOverlayHeight_px);
+SvgCanvas overlay_panel(const MatchStory& story,
+                        const char* name,
+                        const Pose2& T_reference_current,
+                        double width_px) {
+  const Eigen::Vector2d size(width_px, kOverlayHeight_px);
+  SvgCanvas canvas(size.x(), size.y());
   const auto reference = plotted_points(story.reference.points);
   const auto current = plotted_points(story.current.points, T_reference_current);
   std::vector<Eigen::Vector2d> all = reference;
   all.insert(all.end(), current.begin(), current.end());
   const EqualRanges ranges = equal_ranges(all, size);
   PlotPanel panel(canvas,
-                  {size.x() * column, 0.0},
+                  {0.0, 0.0},
                   size,
                   ranges.x,
                   ranges.y,
-                  {joined({name, ": ", words_of_pose(T_reference_current)}),
+                  {fmt::format("{}: x {} m, y {} m, {} deg",
+                               name,
+                               fixed(T_reference_current.x_m, 3),
+                               fixed(T_reference_current.y_m, 3),
+                               fixed(deg_from_rad(T_reference_current.theta_rad), 2)),
                    "x [m], reference sensor's frame",
-                   column == 0 ? "y [m]" : ""});
+                   "y [m]"});
   const auto contradicted = contradicted_places(story, T_reference_current);
   panel.dots(contradicted, palette::kContradiction, 4.0, 0.45);
   panel.dots(reference, palette::kReference, 2.0);
@@ -57,10 +61,10 @@ void draw_overlay(SvgCanvas& canvas,
   panel.sensor(T_reference_current.translation(), T_reference_current.theta_rad, palette::kCurrent);
   panel.remark("reference", palette::kReference, 0);
   panel.remark("current", palette::kCurrent, 1);
-  panel.remark(
-      joined({std::to_string(contradicted.size()), " returns where the other saw through"}),
-      palette::kLost,
-      2);
+  panel.remark(fmt::format("{} returns where the other saw through", contradicted.size()),
+               palette::kLost,
+               2);
+  return canvas;
 }
 
 }  // namespace
@@ -79,20 +83,24 @@ const StoryProposal* best_other_proposal(const MatchStory& story) {
   return nullptr;
 }
 
-SvgCanvas overlay_figure(const MatchStory& story) {
-  SvgCanvas canvas(kFigureWidth_px, kOverlayHeight_px);
+Figure overlay_figure(const MatchStory& story) {
   if (story.proposals.empty()) {
+    SvgCanvas canvas(kFigureWidth_px / 3.0, 60.0);
     canvas.text({52.0, 40.0}, "There is no pose at which to lay the scans over each other.");
-    return canvas;
+    return {canvas};
   }
+  std::vector<std::pair<const char*, Pose2>> shown;
+  if (story.T_proposed) shown.emplace_back("Proposed", *story.T_proposed);
+  shown.emplace_back("Answer", story.proposals.front().T_reference_current);
   const StoryProposal* const other = best_other_proposal(story);
-  const int num_columns = other != nullptr ? 2 : 1;
-  draw_overlay(
-      canvas, 0, num_columns, story, "Answer", story.proposals.front().T_reference_current);
-  if (other != nullptr) {
-    draw_overlay(canvas, 1, num_columns, story, "Runner-up", other->T_reference_current);
+  if (other != nullptr) shown.emplace_back("Runner-up", other->T_reference_current);
+  const double width_px =
+      kFigureWidth_px / static_cast<double>(std::max<std::size_t>(2, shown.size()));
+  Figure figure;
+  for (const auto& [name, T_reference_current] : shown) {
+    figure.push_back(overlay_panel(story, name, T_reference_current, width_px));
   }
-  return canvas;
+  return figure;
 }
 
 }  // namespace setsquare

@@ -28,7 +28,7 @@ Eigen::Vector2d inner_margin() { return {kLeft_px + kRight_px, kTop_px + kBottom
 
 std::string tick_label(double value, double step) {
   if (std::abs(value) >= 10'000.0 && step >= 1000.0) {
-    return joined({fixed(value / 1000.0, decimals_for_step(step / 1000.0)), "k"});
+    return fixed(value / 1000.0, decimals_for_step(step / 1000.0)) + "k";
   }
   return fixed(value, decimals_for_step(step));
 }
@@ -182,6 +182,15 @@ EqualRanges equal_ranges(std::span<const Eigen::Vector2d> points,
   const Eigen::Array2d half = 0.5 * unit_per_pixel * pixels;
   return {{middle.x() - half.x(), middle.x() + half.x()},
           {middle.y() - half.y(), middle.y() + half.y()}};
+}
+
+std::vector<Eigen::Vector2d> plotted_points(const PointSet& points, const Pose2& T_plot_points) {
+  std::vector<Eigen::Vector2d> plotted;
+  plotted.reserve(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    plotted.emplace_back(T_plot_points * Eigen::Vector2d(points.x_m[i], points.y_m[i]));
+  }
+  return plotted;
 }
 
 }  // namespace setsquare

@@ -6,8 +6,11 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "setsquare/core/pose2.hpp"
 #include "setsquare/drawing/svg_canvas.hpp"
+#include "setsquare/scan/point_set.hpp"
 
 namespace setsquare {
 
@@ -73,5 +76,9 @@ struct EqualRanges {
 };
 [[nodiscard]] EqualRanges equal_ranges(std::span<const Eigen::Vector2d> points,
                                        const Eigen::Vector2d& panel_size);
+
+/// The points in another frame, for a diagram.
+[[nodiscard]] std::vector<Eigen::Vector2d> plotted_points(const PointSet& points,
+                                                          const Pose2& T_plot_points = {});
 
 }  // namespace setsquare

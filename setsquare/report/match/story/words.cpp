@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/report/match/story/words.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
 #include "setsquare/drawing/text.hpp"
 
@@ -16,8 +18,7 @@ std::string words_of_status(const MatchResult& result) {
     case MatchStatus::kMatched:
       return "Matched: the scans determine the pose, and no other explains them as well.";
     case MatchStatus::kAmbiguous:
-      return "Ambiguous: another pose explains the scans almost as well, or none explains them "
-             "well.";
+      return "Ambiguous: the pose does not stand alone.";
     case MatchStatus::kDegenerate:
       return "Degenerate: the scans do not determine the motion along one direction.";
     case MatchStatus::kNoOverlap:
@@ -41,113 +42,93 @@ std::string words_of_paper_status(const MatchResult& result) {
   }
 }
 
-std::string percent(double share) { return joined({fixed(100.0 * share, 1), " %"}); }
-
-std::string words_of_zncc(const MatchResult& result) {
-  return joined({"ZNCC of the profiles along x' ",
-                 fixed(result.zncc_x, 3),
-                 ", along y' ",
-                 fixed(result.zncc_y, 3),
-                 ", product ",
-                 fixed(result.zncc_x * result.zncc_y, 3)});
-}
-
 std::string words_of_answer(const MatchResult& result) {
   if (!result.T_reference_current) return "There is no pose to report.";
-  return joined({"Pose of the current sensor in the reference sensor's frame: ",
-                 words_of_pose(*result.T_reference_current),
-                 "."});
+  return fmt::format("Pose of the current sensor in the reference sensor's frame: {}.",
+                     words_of_pose(*result.T_reference_current));
 }
 
-/// Standard deviations from the information, where it has an inverse.
 std::string words_of_precision(const MatchResult& result) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(result.information);
-  const double largest = solver.eigenvalues()(2);
-  if (!(largest > 0.0)) return "";
-  if (solver.eigenvalues()(0) < 1e-9 * largest)
-    return "One direction of the pose is not determined at all.";
-  const Eigen::Matrix3d covariance = result.information.inverse();
-  return joined({"Standard deviations from the information matrix: x ",
-                 fixed(1000.0 * std::sqrt(covariance(0, 0)), 1),
-                 " mm, y ",
-                 fixed(1000.0 * std::sqrt(covariance(1, 1)), 1),
-                 " mm, rotation ",
-                 fixed(deg_from_rad(std::sqrt(covariance(2, 2))), 3),
-                 " deg."});
+  const std::optional<PoseSigmas> sigmas = marginal_sigmas(result);
+  if (!sigmas) return "No marginal sigma: one direction of the pose is not determined at all.";
+  return fmt::format(
+      "Marginal sigma (standard deviation, the other two being unknown): "
+      "x {} mm, y {} mm, rotation {} deg.",
+      fixed(1000.0 * sigmas->x_m, 1),
+      fixed(1000.0 * sigmas->y_m, 1),
+      fixed(deg_from_rad(sigmas->theta_rad), 3));
 }
 
-std::string words_of_margin(const MatchResult& result, const AnswerParams& params) {
+std::string words_of_margin(const MatchResult& result) {
   if (!result.runner_up) return "No different pose was found that explains the scans.";
-  return joined(
-      {"The best different pose (the runner-up) is ",
-       words_of_difference(*result.T_reference_current, result.runner_up->T_reference_current),
-       " and scores ",
-       fixed(result.runner_up->score, 3),
-       ": a margin of ",
-       fixed(result.score - result.runner_up->score, 3),
-       ", where ",
-       fixed(params.min_margin, 2),
-       " is asked (",
-       fixed(params.min_margin_alone, 2),
-       " of a low score)."});
+  const Pose2& answer = *result.T_reference_current;
+  const Pose2& other = result.runner_up->T_reference_current;
+  return fmt::format(
+      "The best different pose (the runner-up) is {} m and {} deg away and scores {}: a margin of "
+      "{}.",
+      fixed((answer.translation() - other.translation()).norm(), 2),
+      fixed(deg_from_rad(std::abs(wrap_to_pi(other.theta_rad - answer.theta_rad))), 1),
+      fixed(result.runner_up->score, 3),
+      fixed(result.score - result.runner_up->score, 3));
+}
+
+std::string words_of_decision(const std::vector<VerdictRule>& rules) {
+  const auto failed =
+      std::find_if(rules.begin(), rules.end(), [](const VerdictRule& rule) { return !rule.holds; });
+  if (failed == rules.end()) {
+    return fmt::format("What decided: all {} rules of the verdict hold.", rules.size());
+  }
+  return fmt::format("What decided: the rule \"{}\" fails: {} where {} is asked.",
+                     failed->name,
+                     failed->found,
+                     failed->asked);
 }
 
 }  // namespace
 
 std::string words_of_pose(const Pose2& pose) {
-  return joined({"x ",
-                 fixed(pose.x_m, 3),
-                 " m, y ",
-                 fixed(pose.y_m, 3),
-                 " m, rotation ",
-                 fixed(deg_from_rad(pose.theta_rad), 2),
-                 " deg"});
+  return fmt::format("x {} m, y {} m, rotation {} deg",
+                     fixed(pose.x_m, 3),
+                     fixed(pose.y_m, 3),
+                     fixed(deg_from_rad(pose.theta_rad), 2));
 }
 
-std::string words_of_difference(const Pose2& from, const Pose2& to) {
-  return joined({fixed((from.translation() - to.translation()).norm(), 2),
-                 " m and ",
-                 fixed(deg_from_rad(std::abs(wrap_to_pi(to.theta_rad - from.theta_rad))), 1),
-                 " deg away"});
-}
+std::string words_of_share(double share) { return fixed(100.0 * share, 1) + " %"; }
 
-std::vector<std::string> evidence_in_words(const MatchResult& result, const MatchParams& params) {
-  std::vector<std::string> words = {words_of_status(result), words_of_answer(result)};
+std::vector<std::string> evidence_in_words(const MatchResult& result,
+                                           const std::vector<VerdictRule>& rules) {
+  std::vector<std::string> words = {words_of_status(result), words_of_decision(rules)};
+  words.push_back(words_of_answer(result));
   if (!result.T_reference_current) return words;
-  words.push_back(
-      joined({"Agreement: ",
-              percent(result.agreement),
-              " of the compared wall lies on the other scan's surfaces. Contradiction: ",
-              percent(result.contradiction),
-              " lies where the other scan saw through."}));
-  words.push_back(joined({"Overlap: the reference explains ",
-                          percent(result.overlap),
-                          " of the current scan's wall. Score ",
-                          fixed(result.score, 3),
-                          " (at least ",
-                          fixed(params.answer.min_score, 2),
-                          " is asked, or ",
-                          fixed(params.answer.min_score_alone, 2),
-                          " with a wide margin)."}));
-  words.push_back(words_of_margin(result, params.answer));
-  if (result.degenerate_direction_rad) {
-    words.push_back(joined({"Not determined along ",
-                            fixed(deg_from_rad(*result.degenerate_direction_rad), 1),
-                            " deg in the reference's frame."}));
-  }
   words.push_back(words_of_precision(result));
-  words.push_back(words_of_zncc(result) + ".");
-  std::erase(words, "");
+  if (result.degenerate_direction_rad) {
+    words.push_back(fmt::format("Not determined along {} deg in the reference's frame.",
+                                fixed(deg_from_rad(*result.degenerate_direction_rad), 1)));
+  }
+  words.push_back(
+      fmt::format("Agreement: {} of the compared wall lies on the other scan's surfaces. "
+                  "Contradiction: {} lies where the other scan saw through.",
+                  words_of_share(result.agreement),
+                  words_of_share(result.contradiction)));
+  words.push_back(
+      fmt::format("Overlap: the reference explains {} of the current scan's wall. Score: "
+                  "{}.",
+                  words_of_share(result.overlap),
+                  fixed(result.score, 3)));
+  words.push_back(words_of_margin(result));
   return words;
 }
 
 std::vector<std::string> evidence_in_words(const MatchResult& result, const PaperParams& params) {
   std::vector<std::string> words = {words_of_paper_status(result), words_of_answer(result)};
   if (!result.T_reference_current) return words;
-  words.push_back(joined({words_of_zncc(result),
-                          "; the paper asks for more than ",
-                          fixed(params.min_zncc_product, 2),
-                          " (section 4.4.1)."}));
+  words.push_back(
+      fmt::format("ZNCC of the profiles along x' {}, along y' {}, product {}; the paper "
+                  "asks for more than {} (section 4.4.1).",
+                  fixed(result.zncc_x, 3),
+                  fixed(result.zncc_y, 3),
+                  fixed(result.zncc_x * result.zncc_y, 3),
+                  fixed(params.min_zncc_product, 2)));
   return words;
 }
 

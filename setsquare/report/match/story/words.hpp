@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/matching/match_params.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
+#include "setsquare/report/match/story/story.hpp"
 #include "setsquare/scan/match_result.hpp"
 
 namespace setsquare {
@@ -15,12 +15,13 @@ namespace setsquare {
 /// "x 1.234 m, y -0.056 m, rotation 12.34 deg"
 [[nodiscard]] std::string words_of_pose(const Pose2& pose);
 
-/// "0.12 m and 3.4 deg away": how far one pose is from another.
-[[nodiscard]] std::string words_of_difference(const Pose2& from, const Pose2& to);
+/// "34.5 %"
+[[nodiscard]] std::string words_of_share(double share);
 
-/// The default matcher's answer with its evidence, a sentence each.
+/// The default matcher's answer with its evidence, a sentence each. The rules name the one that
+/// decided.
 [[nodiscard]] std::vector<std::string> evidence_in_words(const MatchResult& result,
-                                                         const MatchParams& params);
+                                                         const std::vector<VerdictRule>& rules);
 
 /// The paper's answer with its evidence, a sentence each.
 [[nodiscard]] std::vector<std::string> evidence_in_words(const MatchResult& result,
