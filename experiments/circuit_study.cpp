@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
-#include "experiments/chain_map.hpp"
-#include "experiments/mapper_chain.hpp"
 #include "experiments/simulated_run.hpp"
 #include "experiments/tally.hpp"
+#include "setsquare/drawing/png.hpp"
+#include "setsquare/grid/grid_from_scans.hpp"
+#include "setsquare/report/map/picture.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -24,7 +26,7 @@ Eigen::Vector2d point_at(const std::vector<Eigen::Vector2d>& route_m, double s_m
 }
 
 /// The scan nearest to a place of the route. The track passes places several times: the distance
-/// travelled, which rounded corners shorten by a few metres, tells which time is meant.
+/// travelled, which rounded corners shorten by a few metres, decides which time is meant.
 std::size_t scan_at(const std::vector<Pose2>& truth,
                     const std::vector<double>& path_m,
                     const std::vector<Eigen::Vector2d>& route_m,
@@ -53,6 +55,24 @@ ChainOutcome judge_chain(ScanChain chain, const CircuitRun& run, double axis_rad
   }
   outcome.heading = heading_errors(outcome.chain.T_map_base, run.truth);
   return outcome;
+}
+
+/// The scans laid out at these poses (one per scan) as an occupancy grid with the track in it; a
+/// PNG file's bytes. Its rows run along `axis_rad` of the map frame.
+std::string map_png(std::span<const SimulatedScan> scans,
+                    std::span<const Pose2> T_map_base,
+                    double axis_rad) {
+  std::vector<PlacedScan> placed;
+  Trajectory trajectory;
+  for (std::size_t k = 0; k < scans.size(); ++k) {
+    placed.push_back({&scans[k].scan, T_map_base[k] * scans[k].scan.T_base_sensor});
+    trajectory.push_back({scans[k].scan.stamp, T_map_base[k]});
+  }
+  // Enough for a picture a screen wide.
+  const GridFromScansParams grid{.resolution_m = 0.1, .min_spacing_m = 0.7, .min_turn_rad = 0.5};
+  const MapPictureParams picture{.max_side_px = 1300};
+  return png_from_image(
+      map_picture(grid_from_scans(placed, axis_rad, grid), trajectory, picture));
 }
 
 SimulatedRun simulate_track(const CircuitStudyParams& params,
@@ -84,6 +104,81 @@ void map_in_full(const SimulatedRun& simulated, double axis_rad, CircuitRun& run
   const Map wheeled = track_by_mapper(simulated.scans, sub_seed(run.seed, 2));
   run.wheeled = judge_chain(chain_from(wheeled), run, axis_rad);
   run.wheeled_errors = map_errors(wheeled, run.truth);
+}
+
+Json json_from(const ChainCounts& counts) {
+  return {{"matched", counts.num_matched},
+          {"degenerate", counts.num_degenerate},
+          {"ambiguous", counts.num_ambiguous},
+          {"unmatched", counts.num_unmatched}};
+}
+
+Json json_from(const HeadingErrors& errors) {
+  const double to_deg = deg_from_rad(1.0);
+  return {{"max_deg", to_deg * errors.highest_rad},
+          {"mean_deg", to_deg * errors.mean_rad},
+          {"end_deg", to_deg * errors.end_rad},
+          {"slope_deg_per_100_m", to_deg * errors.slope_rad_per_100_m},
+          {"num_wrong_turns", errors.num_wrong_turns},
+          {"modulo_90_deg",
+           {{"mean_deg", to_deg * errors.square_mean_rad},
+            {"end_deg", to_deg * errors.square_end_rad},
+            {"slope_deg_per_100_m", to_deg * errors.square_slope_rad_per_100_m}}}};
+}
+
+Json json_from(const ChainOutcome& outcome) {
+  Json closures = Json::array();
+  for (const Eigen::Vector2d& error_m : outcome.closure_m) {
+    closures.push_back({{"x_m", error_m.x()}, {"y_m", error_m.y()}, {"norm_m", error_m.norm()}});
+  }
+  return {{"closures", closures},
+          {"heading", json_from(outcome.heading)},
+          {"scans", json_from(outcome.chain.counts)}};
+}
+
+Json json_from(const ChainOutcome& outcome, const MapErrors& errors) {
+  Json json = json_from(outcome);
+  json["first_pose_aligned"] = {{"final_m", errors.first_final_m}, {"mean_m", errors.first_mean_m}};
+  json["best_aligned"] = {{"mean_m", errors.mean_m},
+                          {"max_m", errors.highest_m},
+                          {"heading_mean_deg", deg_from_rad(errors.heading_mean_rad)},
+                          {"heading_max_deg", deg_from_rad(errors.heading_highest_rad)}};
+  json["num_pieces"] = errors.num_pieces;
+  json["num_unjoined"] = errors.num_unjoined;
+  json["loop_closures"] = {{"accepted", errors.closures.num_accepted},
+                           {"wrong", errors.closures.num_wrong},
+                           {"wrong_of_weight_above_0_3", errors.closures.num_wrong_heavy}};
+  return json;
+}
+
+Json json_from(const ClosureMedians& medians) {
+  return {{"abs_x_m", medians.x_m}, {"abs_y_m", medians.y_m}, {"norm_m", medians.norm_m}};
+}
+
+Json json_from(const MapMedians& medians) {
+  return {{"final_m", medians.final_m},
+          {"worst_final_m", medians.worst_final_m},
+          {"mean_m", medians.mean_m},
+          {"worst_mean_m", medians.worst_mean_m}};
+}
+
+Json json_from(const CircuitRun& run) {
+  Json circuits = Json::array();
+  for (const CircuitScans& circuit : run.circuits) {
+    circuits.push_back({{"order", circuit.order},
+                        {"first_scan", circuit.start},
+                        {"last_scan", circuit.end},
+                        {"length_m", circuit.length_m}});
+  }
+  return {{"seed", run.seed},
+          {"num_scans", run.truth.size()},
+          {"track_m", travelled_m(run.truth).back()},
+          {"circuits", circuits},
+          {"paper", json_from(run.paper)},
+          {"paper_literal", json_from(run.paper_literal)},
+          {"default", json_from(run.ours)},
+          {"full_mapper", json_from(run.mapper, run.mapper_errors)},
+          {"full_mapper_with_odometry", json_from(run.wheeled, run.wheeled_errors)}};
 }
 
 }  // namespace
@@ -159,6 +254,25 @@ HeadingJudgement judge_headings(const CircuitStudy& study, ChainOutcome CircuitR
   judgement.median_end_deg = median(ends_deg);
   judgement.median_slope_deg_per_100_m = median(slopes_deg);
   return judgement;
+}
+
+Json json_from(const CircuitStudy& study) {
+  Json runs = Json::array();
+  for (const CircuitRun& run : study.runs) runs.push_back(json_from(run));
+  return {
+      {"stated_by_the_paper",
+       {{"after_398_m", {{"x_m", 0.3}, {"y_m", 0.8}}},
+        {"after_901_m", {{"x_m", 0.5}, {"y_m", 1.2}}}}},
+      {"median_closure_errors",
+       {{"paper", json_from(closure_medians(study, &CircuitRun::paper))},
+        {"paper_literal", json_from(closure_medians(study, &CircuitRun::paper_literal))},
+        {"default", json_from(closure_medians(study, &CircuitRun::ours))},
+        {"full_mapper", json_from(closure_medians(study, &CircuitRun::mapper))},
+        {"full_mapper_with_odometry", json_from(closure_medians(study, &CircuitRun::wheeled))}}},
+      {"median_map_errors",
+       {{"full_mapper", json_from(map_medians(study, &CircuitRun::mapper_errors))},
+        {"full_mapper_with_odometry", json_from(map_medians(study, &CircuitRun::wheeled_errors))}}},
+      {"runs", runs}};
 }
 
 }  // namespace setsquare::experiments

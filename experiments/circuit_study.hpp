@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "experiments/chain_errors.hpp"
-#include "experiments/map_errors.hpp"
+#include "experiments/full_mapper.hpp"
 #include "experiments/scan_chain.hpp"
+#include "experiments/tally.hpp"
 #include "setsquare/core/parallel.hpp"
-#include "setsquare/drawing/image.hpp"
 #include "setsquare/sim/building/building.hpp"
 
 namespace setsquare::experiments {
@@ -42,7 +42,7 @@ struct ChainOutcome {
 
 struct CircuitRun {
   std::uint64_t seed = 0;
-  std::vector<Pose2> truth;  ///< T_map_base, one a scan.
+  std::vector<Pose2> truth;  ///< T_map_base, one per scan.
   std::array<CircuitScans, 2> circuits;
   ChainOutcome paper;          ///< As `setsquare map --preset paper` takes a sequence of scans.
   ChainOutcome paper_literal;  ///< With all four offsets, as printed.
@@ -65,7 +65,7 @@ struct CircuitStudy {
                                           std::size_t num_threads,
                                           const Progress& progress = {});
 
-/// Medians over the seeds, one a circuit.
+/// Medians over the seeds, one per circuit.
 struct ClosureMedians {
   std::array<double, 2> x_m{};     ///< Of the absolute errors along the map's x ...
   std::array<double, 2> y_m{};     ///< ... its y ...
@@ -96,5 +96,8 @@ struct HeadingJudgement {
 };
 [[nodiscard]] HeadingJudgement judge_headings(const CircuitStudy& study,
                                               ChainOutcome CircuitRun::*outcome);
+
+/// Medians of the seeds and every run.
+[[nodiscard]] Json json_from(const CircuitStudy& study);
 
 }  // namespace setsquare::experiments

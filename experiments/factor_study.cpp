@@ -51,6 +51,21 @@ void add_motions(std::vector<FactorLevel>& levels) {
   levels.back().run.speed.turn_rad_per_s = 1.5;
 }
 
+Json outcome_json(const MatcherSummary& summary) {
+  Json success = Json::array();
+  Json num_pairs = Json::array();
+  for (const Tally& bin : summary.by_overlap) {
+    success.push_back(bin.success_share());
+    num_pairs.push_back(bin.num_pairs);
+  }
+  return {{"all_pairs", json_from(summary.all)},
+          {"determined", json_from(summary.determined)},
+          {"determined_overlap_45_and_more", json_from(summary.high)},
+          {"determined_overlap_30_to_45", json_from(summary.middle)},
+          {"determined_success_by_tenth_of_overlap", success},
+          {"num_determined_by_tenth_of_overlap", num_pairs}};
+}
+
 }  // namespace
 
 std::vector<FactorLevel> factor_levels() {
@@ -81,6 +96,20 @@ FactorStudy study_factors(std::size_t num_seeds,
     study.outcomes.push_back({level.factor, level.level, summarise(buildings)});
   }
   return study;
+}
+
+Json json_from(const FactorStudy& study) {
+  Json levels = Json::array();
+  for (const FactorOutcome& outcome : study.outcomes) {
+    levels.push_back({{"factor", outcome.factor},
+                      {"level", outcome.level},
+                      {"num_pairs", outcome.summary.num_pairs},
+                      {"num_overlap_45_and_more", outcome.summary.num_high},
+                      {"num_of_those_undetermined", outcome.summary.num_high_undetermined},
+                      {"default", outcome_json(outcome.summary.ours)},
+                      {"paper", outcome_json(outcome.summary.paper)}});
+  }
+  return {{"num_seeds_of_each_class", study.num_seeds}, {"levels", levels}};
 }
 
 }  // namespace setsquare::experiments

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/building_summary.hpp"
+#include "experiments/building_study.hpp"
 
 namespace setsquare::experiments {
 
@@ -15,7 +15,7 @@ struct FactorLevel {
   std::string factor;  ///< "people", "field of view", "beams", "scanner", "motion".
   std::string level;   ///< "271".
   RunParams run;
-  ScannerModel judge_scanner;  ///< Who tells overlap and determination.
+  ScannerModel judge_scanner;  ///< Decides overlap and determination.
 };
 
 /// Every level of every factor, in the order of the page. Under fewer beams the pairs keep the
@@ -37,5 +37,8 @@ struct FactorStudy {
 [[nodiscard]] FactorStudy study_factors(std::size_t num_seeds,
                                         std::size_t num_threads,
                                         const Progress& progress = {});
+
+/// Every level of every factor, and how many pairs each tenth of overlap has.
+[[nodiscard]] Json json_from(const FactorStudy& study);
 
 }  // namespace setsquare::experiments

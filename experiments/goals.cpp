@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/goals.hpp"
 
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
 
-#include "experiments/building_summary.hpp"
-#include "experiments/page_elements.hpp"
-#include "setsquare/drawing/text.hpp"
+#include <optional>
+
+#include "experiments/text_table.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -16,16 +15,16 @@ Goal success_goal(const std::string& where,
                   const Tally& high,
                   const Tally* middle,
                   std::size_t num_excluded) {
-  Goal goal{joined({where, ": right where overlap >= 45 %, of the pairs that the plan determines"}),
+  Goal goal{where + ": right where overlap >= 45 %, of the pairs that the plan determines",
             "all",
             ">= 99 %, at most 5 % excluded",
             middle == nullptr ? "100 %" : "100 %, and >= 95 % at 30-45 %",
             "-"};
   if (high.num_pairs == 0) return goal;
   const double excluded = share(num_excluded, num_excluded + high.num_pairs);
-  goal.reached = joined({percent(high.success_share()), ", ", percent(excluded), " excluded"});
+  goal.reached = fmt::format("{}, {} excluded", percent(high.success_share()), percent(excluded));
   if (middle != nullptr) {
-    goal.reached += joined({"; ", percent(middle->success_share()), " at 30-45 %"});
+    goal.reached += fmt::format("; {} at 30-45 %", percent(middle->success_share()));
   }
   goal.is_known = true;
   goal.meets_must = high.success_share() >= 0.99 && excluded <= 0.05;
@@ -42,12 +41,8 @@ Goal wrong_goal(const std::optional<BuildingSummary>& all) {
             "-"};
   if (!all) return goal;
   const Tally& tally = all->ours.all;
-  goal.reached = joined({number(tally.num_wrong),
-                         " of ",
-                         number(tally.num_matched),
-                         " (",
-                         percent(tally.wrong_share(), 3),
-                         ")"});
+  goal.reached = fmt::format(
+      "{} of {} ({})", tally.num_wrong, tally.num_matched, percent(tally.wrong_share(), 3));
   goal.is_known = true;
   goal.meets_must = tally.wrong_share() <= 0.001;
   goal.meets_aim = tally.num_wrong == 0;
@@ -55,7 +50,7 @@ Goal wrong_goal(const std::optional<BuildingSummary>& all) {
 }
 
 Goal error_goal(const std::string& where, const Tally& tally) {
-  Goal goal{joined({where, ": mean error of the successes, UTM-30LX"}),
+  Goal goal{where + ": mean error of the successes, UTM-30LX",
             "0.04 m, 0.33 deg",
             "<= 0.010 m, 0.10 deg",
             "<= 0.005 m, 0.05 deg",
@@ -63,7 +58,7 @@ Goal error_goal(const std::string& where, const Tally& tally) {
   if (tally.num_success == 0) return goal;
   const double error_m = tally.success_error_m.mean();
   const double error_deg = deg_from_rad(tally.success_error_rad.mean());
-  goal.reached = joined({number(error_m, 4), " m, ", number(error_deg, 3), " deg"});
+  goal.reached = fmt::format("{:.4f} m, {:.3f} deg", error_m, error_deg);
   goal.is_known = true;
   goal.meets_must = error_m <= 0.010 && error_deg <= 0.10;
   goal.meets_aim = error_m <= 0.005 && error_deg <= 0.05;
@@ -78,7 +73,7 @@ Goal closure_goal(const std::optional<CircuitStudy>& study) {
             "-"};
   if (!study) return goal;
   const auto norm_m = closure_medians(*study, &CircuitRun::ours).norm_m;
-  goal.reached = joined({number(norm_m[0], 3), " / ", number(norm_m[1], 3), " m"});
+  goal.reached = fmt::format("{:.3f} / {:.3f} m", norm_m[0], norm_m[1]);
   goal.is_known = true;
   goal.meets_must = norm_m[0] <= 0.25 && norm_m[1] <= 0.45;
   goal.meets_aim = norm_m[0] <= 0.1 && norm_m[1] <= 0.2;
@@ -96,14 +91,11 @@ Goal mapper_goal(const std::optional<CircuitStudy>& study) {
       "-"};
   if (!study) return goal;
   const MapMedians map = map_medians(*study, &CircuitRun::mapper_errors);
-  goal.reached = joined({number(map.final_m, 3),
-                         " (",
-                         number(map.worst_final_m, 3),
-                         ") / ",
-                         number(map.mean_m, 3),
-                         " (",
-                         number(map.worst_mean_m, 3),
-                         ") m"});
+  goal.reached = fmt::format("{:.3f} ({:.3f}) / {:.3f} ({:.3f}) m",
+                             map.final_m,
+                             map.worst_final_m,
+                             map.mean_m,
+                             map.worst_mean_m);
   goal.is_known = true;
   goal.meets_must = map.final_m <= 0.15 && map.mean_m <= 0.10;
   goal.meets_aim = map.final_m <= 0.05 && map.mean_m <= 0.05;
@@ -111,18 +103,15 @@ Goal mapper_goal(const std::optional<CircuitStudy>& study) {
 }
 
 std::string heading_text(const HeadingJudgement& judgement, std::size_t num_seeds) {
-  return joined({number(judgement.median_end_deg, 3),
-                 " deg at the end (median; worst ",
-                 number(judgement.worst_end_deg, 3),
-                 "), slope ",
-                 number(judgement.median_slope_deg_per_100_m, 4),
-                 " deg per 100 m (median), ",
-                 number(num_seeds - judgement.failing.size()),
-                 " of ",
-                 number(num_seeds),
-                 " seeds within 0.5 deg, ",
-                 number(judgement.num_wrong_turns),
-                 " wrong turns"});
+  return fmt::format(
+      "{:.3f} deg at the end (median; worst {:.3f}), slope {:.4f} deg per 100 m (median), {} of {} "
+      "seeds within 0.5 deg, {} wrong turns",
+      judgement.median_end_deg,
+      judgement.worst_end_deg,
+      judgement.median_slope_deg_per_100_m,
+      num_seeds - judgement.failing.size(),
+      num_seeds,
+      judgement.num_wrong_turns);
 }
 
 Goal heading_goal(const std::optional<CircuitStudy>& study) {
@@ -138,8 +127,8 @@ Goal heading_goal(const std::optional<CircuitStudy>& study) {
   const HeadingJudgement judgement = judge_headings(*study, &CircuitRun::paper);
   goal.reached = heading_text(judgement, num_seeds);
   for (const CircuitRun* run : judgement.failing) {
-    goal.reached +=
-        joined({run == judgement.failing.front() ? "; not: seeds " : ", ", number(run->seed)});
+    const bool is_first = run == judgement.failing.front();
+    goal.reached += fmt::format("{}{}", is_first ? "; not: seeds " : ", ", run->seed);
   }
   goal.reached +=
       "; literal: " + heading_text(judge_headings(*study, &CircuitRun::paper_literal), num_seeds);
@@ -163,12 +152,10 @@ Goal covariance_goal(const std::optional<BuildingSummary>& all) {
   const Tally& tally = all->ours.all;
   const double mean = tally.right_nees.mean();
   const double inside = tally.right_nees_inside_share();
-  goal.reached = joined({"mean ",
-                         number(mean, 2),
-                         ", ",
-                         percent(inside, 1),
-                         " below 7.81; of all matched ",
-                         percent(tally.nees_inside_share(), 1)});
+  goal.reached = fmt::format("mean {}, {} below 7.81; of all matched {}",
+                             number(mean, 2),
+                             percent(inside, 1),
+                             percent(tally.nees_inside_share(), 1));
   goal.is_known = true;
   goal.meets_must = mean >= 2.0 && mean <= 5.0 && inside >= 0.90 && inside <= 0.98;
   goal.meets_aim = goal.meets_must && mean >= 2.5 && mean <= 3.5;
@@ -204,11 +191,26 @@ Goal time_goal(const PaperExperiment& experiment) {
     if (!experiment.timing.contains(name + "_s")) return goal;
   }
   const double wall_s = experiment.timing.at("all_s").get<double>();
-  goal.reached = number(wall_s, 0) + " s";
+  goal.reached = fmt::format("{:.0f} s", wall_s);
   goal.is_known = true;
   goal.meets_must = wall_s <= 300.0;
   goal.meets_aim = wall_s <= 60.0;
   return goal;
+}
+
+Json json_from(const std::vector<Goal>& goals) {
+  Json json = Json::array();
+  for (const Goal& goal : goals) {
+    json.push_back({{"what", goal.what},
+                    {"paper", goal.paper},
+                    {"must", goal.must},
+                    {"aim", goal.aim},
+                    {"reached", goal.reached}});
+    if (!goal.is_known) continue;
+    json.back()["meets_must"] = goal.meets_must;
+    json.back()["meets_aim"] = goal.meets_aim;
+  }
+  return json;
 }
 
 }  // namespace setsquare::experiments

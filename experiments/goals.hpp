@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,7 +9,7 @@
 
 namespace setsquare::experiments {
 
-/// One thing that was to be reached.
+/// One thing that we set out to reach. Not on the page: the tests and `--check-goals` ask.
 struct Goal {
   std::string what;
   std::string paper;  ///< The paper's own figure, or a dash.
@@ -25,7 +24,9 @@ struct Goal {
 /// The goals, each computed from what was run.
 [[nodiscard]] std::vector<Goal> goals_of(const PaperExperiment& experiment);
 
-/// The wall time of the whole page beside its goal, where all sections were run.
+/// The wall time beside its goal, where all sections were run.
 [[nodiscard]] Goal time_goal(const PaperExperiment& experiment);
+
+[[nodiscard]] Json json_from(const std::vector<Goal>& goals);
 
 }  // namespace setsquare::experiments

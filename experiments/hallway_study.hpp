@@ -4,14 +4,17 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <vector>
 
-#include "experiments/mrpt_icp_loader.hpp"
-#include "experiments/pair_record.hpp"
 #include "experiments/tally.hpp"
 #include "setsquare/core/parallel.hpp"
 
 namespace setsquare::experiments {
+
+/// Relative pose of current in reference by another's method; nothing where it fails.
+using PeerMatcher = std::function<std::optional<Pose2>(const Scan& reference, const Scan& current)>;
 
 /// bando2014, section 5.1: scans 0.4 m or 10 deg apart along a hallway, every pair of them.
 struct HallwayStudyParams {
@@ -61,5 +64,9 @@ struct HallwaySummary {
   std::size_t num_high_undetermined = 0;
 };
 [[nodiscard]] HallwaySummary summarise(const HallwayStudy& study, std::size_t num_runs);
+
+/// Aggregates of the first hallway and of all, and every pair of the first; no times.
+[[nodiscard]] Json json_from(const HallwayStudy& study);
+[[nodiscard]] Json json_from(const MatchTimes& times);
 
 }  // namespace setsquare::experiments

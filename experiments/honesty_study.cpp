@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/honesty_study.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
 #include <limits>
 
-#include "experiments/pair_record.hpp"
 #include "experiments/simulated_run.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/sim/pairs/pair_geometry.hpp"
@@ -120,6 +120,17 @@ HonestyOutcome outcome_of(const SmallWorldWords& words) {
   return outcome;
 }
 
+Json json_from(const DirectionClaim& claim) {
+  const auto num_unbounded = std::count_if(
+      claim.claimed_sigma_m.begin(), claim.claimed_sigma_m.end(), [](double claimed_m) {
+        return !std::isfinite(claimed_m);
+      });
+  const double sigma_m = median(claim.claimed_sigma_m);
+  return {{"error_m", experiments::json_from(claim.error_m)},
+          {"num_unbounded", num_unbounded},
+          {"median_claimed_sigma_m", std::isfinite(sigma_m) ? Json(sigma_m) : Json(nullptr)}};
+}
+
 }  // namespace
 
 HonestyStudy study_honesty(const HonestyStudyParams& params,
@@ -158,6 +169,29 @@ HonestyStudy study_honesty(const HonestyStudyParams& params,
     }
   }
   return study;
+}
+
+Json json_from(const HonestyStudy& study) {
+  Json worlds = Json::array();
+  for (const HonestyOutcome& outcome : study.outcomes) {
+    Json statuses;
+    for (const MatchStatus status : kAnswerStatuses) {
+      statuses[std::string(to_string(status))] =
+          outcome.status_counts[static_cast<std::size_t>(status)];
+    }
+    worlds.push_back({{"world", outcome.name},
+                      {"what_can_be_known", outcome.truth},
+                      {"num_pairs", outcome.num_pairs},
+                      {"num_determined", outcome.num_determined},
+                      {"statuses", statuses},
+                      {"num_wrong_matched", outcome.num_wrong},
+                      {"degenerate_direction_error_deg",
+                       json_from(outcome.direction_error_rad, deg_from_rad(1.0))},
+                      {"nees", json_from(outcome.nees)},
+                      {"along_the_worst_direction", json_from(outcome.along)},
+                      {"across_it", json_from(outcome.across)}});
+  }
+  return {{"num_seeds", study.num_seeds}, {"worlds", worlds}};
 }
 
 }  // namespace setsquare::experiments

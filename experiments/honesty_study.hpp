@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/pair_answer.hpp"
+#include "experiments/pairs.hpp"
 #include "experiments/small_worlds.hpp"
 #include "experiments/tally.hpp"
 #include "setsquare/core/parallel.hpp"
@@ -45,6 +45,13 @@ struct HonestyOutcome {
   DirectionClaim across;
 };
 
+/// The answers that the default matcher has, in the order of MatchStatus: it never rejects.
+inline constexpr std::array kAnswerStatuses = {MatchStatus::kMatched,
+                                               MatchStatus::kAmbiguous,
+                                               MatchStatus::kDegenerate,
+                                               MatchStatus::kNoOverlap,
+                                               MatchStatus::kTooFewPoints};
+
 struct HonestyStudy {
   std::size_t num_seeds = 0;
   std::vector<HonestyOutcome> outcomes;  ///< One a world, then two different buildings.
@@ -53,5 +60,8 @@ struct HonestyStudy {
 [[nodiscard]] HonestyStudy study_honesty(const HonestyStudyParams& params,
                                          std::size_t num_threads,
                                          const Progress& progress = {});
+
+/// Statuses, wrong answers, errors and claims of every world.
+[[nodiscard]] Json json_from(const HonestyStudy& study);
 
 }  // namespace setsquare::experiments

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/paper_experiment.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
-#include "experiments/hallway_report.hpp"
+#include "experiments/goals.hpp"
 #include "setsquare/core/error.hpp"
 
 namespace setsquare::experiments {
@@ -15,9 +17,8 @@ void check_sections(const std::vector<std::string>& sections) {
   const std::vector<std::string>& known = paper_section_names();
   for (const std::string& name : sections) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    std::string all;
-    for (const std::string& one : known) all += (all.empty() ? "" : ", ") + one;
-    throw ParameterError("only", "no section \"" + name + "\"; there are " + all);
+    throw ParameterError(
+        "only", fmt::format("no section \"{}\"; there are {}", name, fmt::join(known, ", ")));
   }
 }
 
@@ -71,30 +72,42 @@ PaperExperiment run_paper_experiment(const PaperExperimentParams& params,
   const std::size_t num_threads = params.num_threads;
   PaperExperiment experiment;
   SectionRunner runner(params, progress);
-  runner.run("section_5_1", experiment.hallways, [&](const Progress& tell) {
+  runner.run("section_5_1", experiment.hallways, [&](const Progress& progressed) {
     HallwayStudyParams hallways;
     hallways.num_seeds = num_seeds(20, 2);
-    return study_hallways(hallways, load_mrpt_icp(), num_threads, tell);
+    return study_hallways(hallways, params.icp, num_threads, progressed);
   });
-  runner.run("buildings", experiment.buildings, [&](const Progress& tell) {
-    return study_buildings({num_seeds(40, 4), {}, {}}, num_threads, tell);
+  runner.run("buildings", experiment.buildings, [&](const Progress& progressed) {
+    return study_buildings({num_seeds(40, 4), {}, {}}, num_threads, progressed);
   });
-  runner.run("factors", experiment.factors, [&](const Progress& tell) {
-    return study_factors(num_seeds(40, 4), num_threads, tell);
+  runner.run("factors", experiment.factors, [&](const Progress& progressed) {
+    return study_factors(num_seeds(40, 4), num_threads, progressed);
   });
-  runner.run("section_5_2", experiment.circuits, [&](const Progress& tell) {
+  runner.run("section_5_2", experiment.circuits, [&](const Progress& progressed) {
     CircuitStudyParams circuits;
     circuits.num_seeds = num_seeds(20, 1);
-    return study_circuits(circuits, num_threads, tell);
+    return study_circuits(circuits, num_threads, progressed);
   });
-  runner.run("honesty", experiment.honesty, [&](const Progress& tell) {
-    return study_honesty({num_seeds(20, 2), 9}, num_threads, tell);
+  runner.run("honesty", experiment.honesty, [&](const Progress& progressed) {
+    return study_honesty({num_seeds(20, 2), 9}, num_threads, progressed);
   });
   experiment.timing = runner.timing();
   if (experiment.hallways) {
     experiment.timing["a_match"] = json_from(experiment.hallways->times);
   }
   return experiment;
+}
+
+std::string paper_json(const PaperExperiment& experiment) {
+  Json json;
+  json["goals"] = json_from(goals_of(experiment));
+  if (experiment.hallways) json["section_5_1"] = json_from(*experiment.hallways);
+  if (experiment.buildings) json["buildings"] = json_from(*experiment.buildings);
+  if (experiment.factors) json["factors"] = json_from(*experiment.factors);
+  if (experiment.circuits) json["section_5_2"] = json_from(*experiment.circuits);
+  if (experiment.honesty) json["honesty"] = json_from(*experiment.honesty);
+  json["timing"] = experiment.timing;
+  return json.dump(1) + "\n";
 }
 
 }  // namespace setsquare::experiments

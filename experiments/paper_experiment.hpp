@@ -13,7 +13,6 @@
 #include "experiments/factor_study.hpp"
 #include "experiments/hallway_study.hpp"
 #include "experiments/honesty_study.hpp"
-#include "experiments/json.hpp"
 
 namespace setsquare::experiments {
 
@@ -21,13 +20,14 @@ namespace setsquare::experiments {
 struct PaperExperimentParams {
   std::vector<std::string> sections = {};  ///< Of paper_section_names; empty for all.
   std::size_t num_threads = 2;
+  PeerMatcher icp = {};   ///< The ICP beside ours in section 5.1; may be empty.
   bool is_quick = false;  ///< A few seeds of everything, to see whether it works.
 };
 
 /// "section_5_1", "buildings", "factors", "section_5_2", "honesty": the order of the page.
 [[nodiscard]] const std::vector<std::string>& paper_section_names();
 
-/// Told how far each section is: name, tasks done, tasks in all.
+/// Called as a section goes on: its name, tasks done, tasks in all.
 using SectionProgress = std::function<void(std::string_view, std::size_t, std::size_t)>;
 
 /// What was run; what was not is empty.
@@ -48,9 +48,9 @@ struct PaperExperiment {
 
 /// All numbers; "timing" is the only part that differs from run to run.
 [[nodiscard]] std::string paper_json(const PaperExperiment& experiment);
-/// One page that needs no other file.
+/// The page of web/ with these numbers in it: one file that needs no other, nor a network.
 [[nodiscard]] std::string paper_html(const PaperExperiment& experiment);
-/// A few lines for a terminal.
+/// The main tables for a terminal.
 [[nodiscard]] std::string paper_text(const PaperExperiment& experiment);
 
 }  // namespace setsquare::experiments

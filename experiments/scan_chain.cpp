@@ -53,7 +53,7 @@ std::vector<Link> link_scans(std::span<const SimulatedScan> scans) {
   return links;
 }
 
-/// What Mapper tells the fusion of a keyframe, here of every scan.
+/// What Mapper gives the fusion for each keyframe, here for every scan.
 std::vector<HeadingEvidence> heading_evidence(std::span<const SimulatedScan> scans,
                                               const std::vector<Link>& links) {
   const MapperParams params;

@@ -10,7 +10,7 @@
 
 namespace setsquare::experiments {
 
-/// Places in which a scan does not tell where it was taken.
+/// Places in which a scan does not determine where it was taken.
 enum class SmallWorld {
   kBareCorridor,   ///< Two parallel walls, ends out of reach.
   kSymmetricRoom,  ///< A closed rectangle without anything in it.
@@ -27,7 +27,7 @@ inline constexpr std::array kAllSmallWorlds = {SmallWorld::kBareCorridor,
                                                SmallWorld::kGlassWalls,
                                                SmallWorld::kNiches};
 
-/// What is told of a world on the page.
+/// How the page names a world.
 struct SmallWorldWords {
   std::string_view name;
   std::string_view truth;  ///< What can be known there.

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <cstddef>
+#include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
 
-#include "experiments/pair_answer.hpp"
+#include "experiments/pairs.hpp"
 
 namespace setsquare::experiments {
 
@@ -53,5 +55,17 @@ struct Tally {
     return share(num_right_nees_inside, right_nees.count);
   }
 };
+
+/// Keys stay in the order in which they were written; NaN is written as null.
+using Json = nlohmann::ordered_json;
+
+/// {"mean": ..., "sigma": ..., "max": ..., "count": ...}, values times `unit`.
+[[nodiscard]] Json json_from(const Spread& spread, double unit = 1.0);
+
+/// Counts, shares and errors (m, deg) of a tally.
+[[nodiscard]] Json json_from(const Tally& tally);
+
+/// Status and error of one answer.
+[[nodiscard]] Json json_from(const PairAnswer& answer);
 
 }  // namespace setsquare::experiments

@@ -1,83 +1,89 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// `setsquare experiment paper -o DIR`: the paper's experiments again, from seeds.
+// `setsquare experiment ...`: starts setsquare-experiment, a program of its own (experiments/),
+// which owns the options: the command neither compiles nor links the studies.
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
 #include <CLI/App.hpp>
-#include <CLI/Option.hpp>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
-#include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
-#include <thread>
 #include <vector>
 
-#include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/subcommands.hpp"
-#include "experiments/paper_experiment.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 
 namespace setsquare::app {
 namespace {
 
-struct ExperimentOptions {
-  std::string output_path;
-  experiments::PaperExperimentParams params;
-};
+constexpr const char* kProgram = "setsquare-experiment";
+constexpr const char* kWhatToBuild =
+    "it is a program of its own: build it (cmake --build --preset release --target "
+    "setsquare_experiment) or install it beside setsquare";
 
-void make_folder(const std::string& path) {
+bool is_program(const std::filesystem::path& path) {
   std::error_code error;
-  std::filesystem::create_directories(path, error);
-  if (error) throw FileError(path, "cannot be made: " + error.message());
+  return std::filesystem::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
 }
 
-void run_paper(const ExperimentOptions& options) {
-  make_folder(options.output_path);
-  std::unique_ptr<ProgressBar> bar;
-  std::string shown;
-  const auto progress = [&](std::string_view section, std::size_t num_done, std::size_t num_all) {
-    if (!bar || shown != section) {
-      bar.reset();
-      shown = section;
-      bar = std::make_unique<ProgressBar>(shown);
+/// Beside this command's own file, else in a folder of PATH.
+std::optional<std::filesystem::path> find_program() {
+  std::error_code error;
+  const auto command = std::filesystem::read_symlink("/proc/self/exe", error);
+  if (!error && is_program(command.parent_path() / kProgram)) {
+    return command.parent_path() / kProgram;
+  }
+  const char* path = std::getenv("PATH");
+  std::string_view folders = path != nullptr ? path : "";
+  while (!folders.empty()) {
+    const std::string_view folder = folders.substr(0, folders.find(':'));
+    if (!folder.empty() && is_program(std::filesystem::path(folder) / kProgram)) {
+      return std::filesystem::path(folder) / kProgram;
     }
-    bar->advance(static_cast<double>(num_done) / static_cast<double>(num_all));
+    folders.remove_prefix(std::min(folders.size(), folder.size() + 1));
+  }
+  return std::nullopt;
+}
+
+/// This process becomes the program; comes back only where that fails.
+[[noreturn]] void start(const std::filesystem::path& program, std::vector<std::string> arguments) {
+  arguments.insert(arguments.begin(), program.string());
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  ::execv(program.c_str(), argv.data());
+  throw FileError(program, "cannot be started: " + std::generic_category().message(errno));
+}
+
+void run_experiment(const std::vector<std::string>& arguments) {
+  if (const auto program = find_program()) start(*program, arguments);
+  const auto is_help = [](const std::string& argument) {
+    return argument == "-h" || argument == "--help";
   };
-  const experiments::PaperExperiment experiment =
-      experiments::run_paper_experiment(options.params, progress);
-  bar.reset();
-  const std::filesystem::path folder(options.output_path);
-  save_file(folder / "paper.html", experiments::paper_html(experiment));
-  save_file(folder / "paper.json", experiments::paper_json(experiment));
-  std::cout << experiments::paper_text(experiment) << "written: " << options.output_path
-            << "/paper.html, paper.json\n";
+  if (!std::any_of(arguments.begin(), arguments.end(), is_help)) {
+    throw FileError(kProgram, std::string("is not there; ") + kWhatToBuild);
+  }
+  std::cout << "setsquare experiment paper -o DIR runs the experiments of Bando, Tsubouchi and "
+               "Yuta 2014 again.\n"
+            << kProgram << " does it and lists the options; it is not there;\n"
+            << kWhatToBuild << ".\n";
 }
 
 }  // namespace
 
 void add_experiment(CLI::App& application) {
-  const auto options = std::make_shared<ExperimentOptions>();
-  options->params.num_threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* experiment =
       application.add_subcommand("experiment", "Run experiments on simulated buildings");
-  experiment->require_subcommand(1);
-  CLI::App* paper = experiment->add_subcommand(
-      "paper", "The experiments of Bando, Tsubouchi and Yuta 2014, theirs beside ours");
-  paper->add_option("-o,--output", options->output_path, "Directory for the results")->required();
-  const std::vector<std::string>& names = experiments::paper_section_names();
-  paper->add_option("--only", options->params.sections, "Only these sections, parted by commas")
-      ->delimiter(',')
-      ->check(CLI::IsMember(names));
-  paper->add_option("--threads", options->params.num_threads, "Threads; as many as cores if absent")
-      ->check(CLI::Range(1, 256));
-  paper->add_flag("--quick", options->params.is_quick, "A few seeds of everything");
-  paper->footer(
-      "Writes paper.html (one page that needs no other file) and paper.json (all numbers).\n"
-      "Examples:\n"
-      "  setsquare experiment paper -o out\n"
-      "  setsquare experiment paper -o out --only buildings --quick");
-  paper->callback([options] { run_paper(*options); });
+  // All that follows goes to the program as it is, --help included.
+  experiment->prefix_command();
+  experiment->set_help_flag();
+  experiment->callback([experiment] { run_experiment(experiment->remaining()); });
 }
 
 }  // namespace setsquare::app

@@ -9,8 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "experiments/map_errors.hpp"
-#include "experiments/mapper_chain.hpp"
+#include "experiments/full_mapper.hpp"
 #include "experiments/simulated_run.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/parallel.hpp"

@@ -12,7 +12,7 @@
 
 #include "benchmarks/scaling/block_building.hpp"
 #include "benchmarks/scaling/timed_mapper.hpp"
-#include "experiments/map_errors.hpp"
+#include "experiments/full_mapper.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/sim/sensing/odometry_model.hpp"
 #include "setsquare/sim/sensing/simulated_scan.hpp"

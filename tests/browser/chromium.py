@@ -140,12 +140,11 @@ class Chromium:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height,
                   deviceScaleFactor=1, mobile=False)
 
-    def open(self, path):
+    def open(self, path, is_drawn="window.setsquare.map.image.isReady"):
         """Loads a file and waits until the page has drawn itself."""
         self.events.clear()
         self.call("Page.navigate", url="file://" + os.path.abspath(path))
-        self.wait_for("document.readyState === 'complete' && window.setsquare !== undefined"
-                      " && window.setsquare.map.image.isReady")
+        self.wait_for("document.readyState === 'complete' && window.setsquare !== undefined && " + is_drawn)
 
     def evaluate(self, expression):
         """The value of a script's expression; a promise is waited for."""

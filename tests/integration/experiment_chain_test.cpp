@@ -7,7 +7,7 @@
 
 #include "experiments/chain_errors.hpp"
 #include "experiments/circuit_study.hpp"
-#include "experiments/map_errors.hpp"
+#include "experiments/full_mapper.hpp"
 #include "experiments/scan_chain.hpp"
 
 namespace setsquare::experiments {

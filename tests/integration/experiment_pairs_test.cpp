@@ -6,8 +6,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/building_report.hpp"
-#include "experiments/building_summary.hpp"
+#include "experiments/building_study.hpp"
 #include "experiments/paper_experiment.hpp"
 #include "setsquare/core/error.hpp"
 

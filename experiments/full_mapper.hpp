@@ -3,12 +3,20 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/map/map.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
 
 namespace setsquare::experiments {
+
+/// The full mapper with its defaults over all scans. With `odometry_seed` it is also given
+/// what drifting wheels measure (OdometryModel with its defaults).
+[[nodiscard]] Map track_by_mapper(std::span<const SimulatedScan> scans,
+                                          std::optional<std::uint64_t> odometry_seed = {});
 
 /// Accepted closures against the truth: wrong beyond 0.3 m (along the axes that they bind) or 5
 /// deg.
@@ -37,7 +45,7 @@ struct MapErrors {
   ClosureCounts closures = {};
 };
 
-/// `truth`: T_map_base, one a scan of the track, of which there is at least one.
+/// `truth`: T_map_base, one per scan of the track, of which there is at least one.
 [[nodiscard]] MapErrors map_errors(const Map& track, std::span<const Pose2> truth);
 
 }  // namespace setsquare::experiments
