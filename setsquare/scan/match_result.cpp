@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/scan/match_result.hpp"
 
+#include <cmath>
+#include <Eigen/Eigenvalues>
+
 namespace setsquare {
 
 std::string_view to_string(MatchStatus status) {
@@ -20,6 +23,21 @@ std::string_view to_string(MatchStatus status) {
       return "rejected";
   }
   return "unknown";
+}
+
+std::optional<PoseSigmas> marginal_sigmas(const MatchResult& result) {
+  const Eigen::Vector3d diagonal = result.information.diagonal();
+  if (!(diagonal.minCoeff() > 0.0)) return std::nullopt;
+  // Metres and radians are made comparable before the smallest eigenvalue is judged.
+  constexpr double kSingular = 1e-9;
+  const Eigen::Vector3d scale = diagonal.cwiseSqrt().cwiseInverse();
+  const Eigen::Matrix3d scaled = scale.asDiagonal() * result.information * scale.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
+  if (!(solver.eigenvalues()(0) > kSingular)) return std::nullopt;
+  const Eigen::Vector3d inverse_diagonal =
+      solver.eigenvectors().cwiseAbs2() * solver.eigenvalues().cwiseInverse();
+  const Eigen::Vector3d sigmas = inverse_diagonal.cwiseSqrt().cwiseProduct(scale);
+  return PoseSigmas{sigmas.x(), sigmas.y(), sigmas.z()};
 }
 
 }  // namespace setsquare

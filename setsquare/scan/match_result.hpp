@@ -54,4 +54,16 @@ struct MatchResult {
   std::optional<double> degenerate_direction_rad = std::nullopt;
 };
 
+/// Standard deviations of a pose's parts in the reference's frame.
+struct PoseSigmas {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double theta_rad = 0.0;
+};
+
+/// The marginal standard deviations of the pose: the roots of the covariance's diagonal, where the
+/// covariance is the inverse of the information. Nothing where the information has no inverse: the
+/// match is degenerate, or there is no pose.
+[[nodiscard]] std::optional<PoseSigmas> marginal_sigmas(const MatchResult& result);
+
 }  // namespace setsquare
