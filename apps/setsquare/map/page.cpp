@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/page.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
-#include <filesystem>
 #include <string>
 #include <unordered_map>
 
 #include "apps/setsquare/map/image.hpp"
 #include "apps/setsquare/map/report.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
@@ -30,12 +31,6 @@ ReportCondition report_condition_from(TrackStatus status) {
       break;
   }
   return ReportCondition::kLost;
-}
-
-std::string text_from(double value, int num_decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", num_decimals, value);
-  return text;
 }
 
 std::vector<ReportPose> poses_of(const MappedTrack& track) {
@@ -142,7 +137,7 @@ void add_track_figures(const MapRun& run, Figures& figures) {
       "with odometry",
       run.num_with_odometry,
       "Scans whose motion the robot's wheels told, too; they are a witness, not the truth.");
-  figures.add("Track", "way", text_from(path_length_m(track), 1), "m");
+  figures.add("Track", "way", fmt::format("{:.1f}", path_length_m(track)), "m");
   figures.add("Track", "keyframes", track.keyframes.size(), "Scans that the map is built of.");
   figures.add("Track",
               "degenerate",
@@ -182,7 +177,7 @@ void add_building_figures(const MapRun& run, Figures& figures) {
   for (const HeadingFrame& frame : run.track.headings.frames) {
     figures.add("Building",
                 "walls at",
-                text_from(deg_from_rad(frame.offset_rad), 2),
+                fmt::format("{:.2f}", deg_from_rad(frame.offset_rad)),
                 "deg",
                 "A direction, modulo 90 degrees, along which walls run.");
   }
@@ -194,12 +189,12 @@ void add_building_figures(const MapRun& run, Figures& figures) {
   }
   figures.add("Building",
               "way in bare corridors",
-              text_from(open_m, 1),
+              fmt::format("{:.1f}", open_m),
               "m",
               "Where no scan determines the motion along the corridor.");
   figures.add("Building",
               "their length is known to",
-              text_from(worst_sigma_m, 2),
+              fmt::format("{:.2f}", worst_sigma_m),
               "m",
               "Standard deviation of the least certain of them, given odometry and closures.");
 }
@@ -208,7 +203,7 @@ void add_building_figures(const MapRun& run, Figures& figures) {
 
 MapReport map_page(const MapOptions& options, const MapRun& run, const OccupancyGrid& grid) {
   MapReport report;
-  report.title = std::filesystem::path(options.log_path).filename().string();
+  report.title = title_of_log(options.log_path);
   report.grid = &grid;
   report.poses = poses_of(run.track);
   add_closures(run, report);

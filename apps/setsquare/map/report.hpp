@@ -34,14 +34,14 @@ struct ClosureCounts {
 /// "tracked", "degenerate", "recovered", "lost".
 [[nodiscard]] const char* to_string(TrackStatus status);
 
-/// The poses that trajectory.tum holds, one a scan, in the log's order.
+/// The poses that trajectory.tum holds, one per scan, in the log's order.
 [[nodiscard]] Trajectory trajectory_from(const MappedTrack& track, bool is_of_sensor);
 
 /// Travelled along the trajectory, in m.
 [[nodiscard]] double path_length_m(const MappedTrack& track);
 
-/// The content of run.json: what was read, how it went, with which parameters. The same log and
-/// options give the same bytes; times are told elsewhere.
+/// The content of run.json: what was read, how it went, with which options and parameters. The
+/// same log and options give the same bytes; times are in timing.json.
 [[nodiscard]] std::string run_json(const MapOptions& options, const MapRun& run);
 
 }  // namespace setsquare::app
