@@ -71,8 +71,7 @@ std::string map_png(std::span<const SimulatedScan> scans,
   // Enough for a picture a screen wide.
   const GridFromScansParams grid{.resolution_m = 0.1, .min_spacing_m = 0.7, .min_turn_rad = 0.5};
   const MapPictureParams picture{.max_side_px = 1300};
-  return png_from_image(
-      map_picture(grid_from_scans(placed, axis_rad, grid), trajectory, picture));
+  return png_from_image(map_picture(grid_from_scans(placed, axis_rad, grid), trajectory, picture));
 }
 
 SimulatedRun simulate_track(const CircuitStudyParams& params,

@@ -43,7 +43,7 @@ ClosureCounts count_closures(const Map& track, std::span<const Pose2> truth) {
 }  // namespace
 
 Map track_by_mapper(std::span<const SimulatedScan> scans,
-                            std::optional<std::uint64_t> odometry_seed) {
+                    std::optional<std::uint64_t> odometry_seed) {
   std::optional<OdometryModel> wheels;
   if (odometry_seed) wheels.emplace(OdometryParams{}, *odometry_seed);
   Mapper mapper;

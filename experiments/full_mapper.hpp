@@ -16,7 +16,7 @@ namespace setsquare::experiments {
 /// The full mapper with its defaults over all scans. With `odometry_seed` it is also given
 /// what drifting wheels measure (OdometryModel with its defaults).
 [[nodiscard]] Map track_by_mapper(std::span<const SimulatedScan> scans,
-                                          std::optional<std::uint64_t> odometry_seed = {});
+                                  std::optional<std::uint64_t> odometry_seed = {});
 
 /// Accepted closures against the truth: wrong beyond 0.3 m (along the axes that they bind) or 5
 /// deg.

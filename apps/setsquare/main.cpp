@@ -1,49 +1,38 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include <algorithm>
 #include <CLI/App.hpp>
-#include <CLI/Config.hpp>
-#include <CLI/Formatter.hpp>
+#include <csignal>
 #include <exception>
-#include <iostream>
-#include <string>
 
+#include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/subcommands.hpp"
-#include "setsquare/core/error.hpp"
 
 namespace {
 
-/// Bad file, option or parameter.
-constexpr int kExitBadInput = 2;
-
-int complain(std::string message) {
-  std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << "setsquare: " << message << "\n";
-  return kExitBadInput;
-}
-
-int run(CLI::App& application, int argc, char** argv) {
-  try {
-    application.parse(argc, argv);
-  } catch (const CLI::Success& request) {  // --help, --version
-    return application.exit(request);
-  } catch (const CLI::ParseError& error) {
-    return complain(std::string(error.what()) + " (see --help)");
-  }
-  if (!std::cout.flush()) return complain("standard output: cannot be written");
-  return 0;
+void add_subcommands(CLI::App& application) {
+  setsquare::app::add_info(application);
+  setsquare::app::add_map(application);
+  setsquare::app::add_evaluate(application);
+  setsquare::app::add_match(application);
+  setsquare::app::add_explain(application);
+  setsquare::app::add_simulate(application);
+  setsquare::app::add_experiment(application);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  // A file that grows beyond the limit (ulimit -f) is an error of writing, reported like others.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     CLI::App application{
         "Setsquare: 2-D laser scans of a building to a map whose walls are straight and square.",
         "setsquare"};
+    setsquare::app::set_help_form(application);
     application.set_version_flag("--version", "setsquare " SETSQUARE_VERSION);
     application.require_subcommand(1);
-    application.footer(
+    add_subcommands(application);
+    application.footer(  // after the subcommands, which would inherit it
         "Examples:\n"
         "  setsquare map intel.clf -o out\n"
         "  setsquare simulate --building office -o sim\n"
@@ -51,15 +40,8 @@ int main(int argc, char** argv) {
         "  setsquare explain intel.clf 100 140 -o match.html\n"
         "  zcat intel.clf.gz | setsquare info -\n"
         "Each subcommand has its own --help.");
-    setsquare::app::add_info(application);
-    setsquare::app::add_evaluate(application);
-    setsquare::app::add_explain(application);
-    setsquare::app::add_match(application);
-    setsquare::app::add_map(application);
-    setsquare::app::add_simulate(application);
-    setsquare::app::add_experiment(application);
-    return run(application, argc, argv);
+    return setsquare::app::parse_and_run(application, argc, argv);
   } catch (const std::exception& error) {
-    return complain(error.what());
+    return setsquare::app::complain(error.what());
   }
 }

@@ -2,28 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/preset.hpp"
 
-#include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
-#include <map>
-
+#include "apps/setsquare/command_line/options.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
 
 namespace setsquare::app {
 
 void add_preset_option(CLI::App& subcommand, Preset& preset) {
-  static const std::map<std::string, Preset> kNames{{"default", Preset::kDefault},
-                                                    {"paper", Preset::kPaper}};
-  subcommand.add_option("--preset", preset, "default, or paper: Bando et al. 2014 as printed")
-      ->transform(CLI::Transformer(kNames, CLI::ignore_case).description(""))
-      ->type_name("default|paper");
+  add_choice<Preset, Preset>(subcommand,
+                             "--preset",
+                             preset,
+                             {{"default", Preset::kDefault}, {"paper", Preset::kPaper}},
+                             "This library's method, or that of Bando et al. 2014 as printed",
+                             "default");
 }
 
 void add_frame_option(CLI::App& subcommand, bool& is_of_sensor) {
-  static const std::map<std::string, bool> kNames{{"base", false}, {"sensor", true}};
-  subcommand.add_option("--frame", is_of_sensor, "Poses of the robot (base) or of the sensor")
-      ->transform(CLI::Transformer(kNames, CLI::ignore_case).description(""))
-      ->type_name("base|sensor");
+  add_choice<bool, bool>(subcommand,
+                         "--frame",
+                         is_of_sensor,
+                         {{"base", false}, {"sensor", true}},
+                         "Poses of the robot (base) or of the laser (sensor)",
+                         "base");
 }
 
 MatchResult match_by(Preset preset, const Scan& reference, const Scan& current) {

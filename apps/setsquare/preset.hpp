@@ -13,7 +13,7 @@ namespace setsquare::app {
 /// How two scans are matched.
 enum class Preset {
   kDefault,  ///< Propose, verify, refine, answer (matching/scan_matcher.hpp).
-  kPaper,    ///< Bando et al. 2014 as printed (matching/paper_matcher.hpp).
+  kPaper,    ///< Bando et al. 2014 as printed (paper/paper_matcher.hpp).
 };
 
 /// Adds --preset default|paper. `preset` must outlive the application.

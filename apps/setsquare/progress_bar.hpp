@@ -9,7 +9,7 @@
 
 namespace setsquare::app {
 
-/// A line on standard error that tells how far a run is; only on a terminal, and gone at the end.
+/// A line on standard error that shows how far a run is; only on a terminal, and gone at the end.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// The subcommands of `setsquare`, one a file. Each function adds its subcommand to the application:
-// options, help, examples, and a callback that runs it and throws setsquare::Error where it cannot.
-// To add one: its file here and in CMakeLists.txt, its line here and in main.cpp.
+// The subcommands of `setsquare`. Each function adds one to the application: options, help,
+// examples, and a callback that runs it and throws setsquare::Error where it cannot. To add one: a
+// folder, a line here and in main.cpp.
 #pragma once
 
 #include <CLI/App.hpp>

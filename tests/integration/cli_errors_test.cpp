@@ -14,6 +14,7 @@ namespace {
 
 using testing::CommandOutcome;
 using ::testing::HasSubstr;
+using ::testing::Not;
 using testing::run_setsquare;
 using ::testing::StartsWith;
 using testing::TemporaryFolder;
@@ -28,11 +29,45 @@ void expect_one_line_error(const std::string& arguments, const std::string& expe
 }
 
 TEST(CommandErrors, Usage) {
-  expect_one_line_error("", "subcommand");
   expect_one_line_error("info", "log is required");
   expect_one_line_error("info --no-such-option x", "--no-such-option");
   expect_one_line_error("info x --max-range far", "--max-range");
-  expect_one_line_error("evaluate", "subcommand");
+}
+
+TEST(CommandErrors, WithoutACommandTheCommandsAreListed) {
+  for (const char* const arguments : {"", "evaluate"}) {
+    const CommandOutcome outcome = run_setsquare(arguments);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_THAT(outcome.err, StartsWith("Usage: setsquare"));
+    EXPECT_THAT(outcome.err, HasSubstr("--help"));
+  }
+  for (const char* const name : {"info", "map", "match", "explain", "simulate", "evaluate"}) {
+    EXPECT_THAT(run_setsquare("").err, HasSubstr(std::string("\n  ") + name + " "));
+  }
+}
+
+TEST(CommandErrors, UnknownWordsAreNamedWithTheNearestOne) {
+  expect_one_line_error("mpa x.clf -o out", "unknown command 'mpa' (did you mean 'map'?)");
+  expect_one_line_error("evaluate relation a b", "(did you mean 'relations'?)");
+  expect_one_line_error("frobnicate", "unknown command 'frobnicate'; see");
+  expect_one_line_error("map x.clf -o out --thread 2",
+                        "unknown option '--thread' (did you mean '--threads'?)");
+  expect_one_line_error("--versoin", "unknown option '--versoin' (did you mean '--version'?)");
+  expect_one_line_error("info a.clf b.clf", "unexpected argument 'b.clf'");
+}
+
+TEST(CommandErrors, ValuesOutOfTheirDomainNameTheOptionAndTheDomain) {
+  expect_one_line_error("map x.clf -o out --preset foo", "'foo' is none of default, paper");
+  expect_one_line_error("info x.clf --max-range -3", "--max-range: -3 is not a number above 0");
+  expect_one_line_error("info x.clf --field-of-view 400", "above 0 and at most 360");
+  expect_one_line_error("info x.clf --angular-step 0", "from -360 to 360 other than 0");
+  expect_one_line_error("map x.clf -o out --threads 0", "a whole number from 1 to 1024");
+  expect_one_line_error("simulate -o out --seed 99999999999999999999",
+                        "--seed: 99999999999999999999 is not a whole number from 0 to");
+  expect_one_line_error("simulate -o out --seed 1.5", "--seed: 1.5 is not a whole number");
+  expect_one_line_error("simulate -o out --scanner big", "'big' is none of utm-30lx, low-cost-360");
+  expect_one_line_error("evaluate ate a b --align middle", "'middle' is none of best, first, none");
 }
 
 TEST(CommandErrors, FilesThatAreNoLogs) {
@@ -62,6 +97,11 @@ TEST(CommandErrors, OutputThatCannotBeWritten) {
   const CommandOutcome outcome = run_setsquare("info " + log + " >/dev/full");
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("standard output: cannot be written"));
+  for (const char* const arguments : {"--help >/dev/full", "map --help >/dev/full"}) {
+    const CommandOutcome help = run_setsquare(arguments);
+    EXPECT_EQ(help.exit_code, 2) << arguments;
+    EXPECT_THAT(help.err, HasSubstr("standard output: cannot be written"));
+  }
 }
 
 TEST(CommandErrors, GroundTruthThatIsNone) {
@@ -85,6 +125,36 @@ TEST(CommandHelp, GoesToStandardOutputWithExamples) {
     EXPECT_EQ(outcome.err, "") << arguments;
   }
   EXPECT_THAT(run_setsquare("--version").out, StartsWith("setsquare "));
+}
+
+TEST(CommandHelp, ShowsDefaultsAndItsOwnExamplesAlone) {
+  for (const std::string command : {"info",
+                                    "map",
+                                    "match",
+                                    "explain",
+                                    "simulate",
+                                    "evaluate",
+                                    "evaluate relations",
+                                    "evaluate ate",
+                                    "evaluate rpe",
+                                    "evaluate closures",
+                                    "evaluate chains"}) {
+    const std::string help = run_setsquare(command + " --help").out;
+    EXPECT_THAT(help, HasSubstr("Examples:\n  ")) << command;
+    EXPECT_THAT(help, HasSubstr("setsquare " + command)) << command;
+    for (const char* const odd : {"{false}", "(0x)", "[0", "UINT", "FLOAT", "Excludes", "[]"}) {
+      EXPECT_THAT(help, Not(HasSubstr(odd))) << command;
+    }
+    if (command.find(' ') == std::string::npos && command != "info") {
+      EXPECT_THAT(help, Not(HasSubstr("setsquare info"))) << command;
+    }
+  }
+  const std::string simulate = run_setsquare("simulate --help").out;
+  for (const char* const text : {"(default: office)", "(default: 1)", "(default: 0.5)", "M/S"}) {
+    EXPECT_THAT(simulate, HasSubstr(text));
+  }
+  EXPECT_THAT(run_setsquare("map --help").out, HasSubstr("(default: one per processor)"));
+  EXPECT_THAT(run_setsquare("match --help").out, HasSubstr("(default: base)"));
 }
 
 }  // namespace

@@ -249,5 +249,25 @@ TEST(CommandEvaluateRealRelations, ChainsForetellWhatTheyDoNotContain) {
   }
 }
 
+TEST(CommandEvaluate, WhatCouldNotBeMeasuredIsADashOrAnError) {
+  const TemporaryFolder folder;
+  const std::string trajectory = folder.write("t.tum", "1.0 0 0 0 0 0 0 1\n2.0 1 0 0 0 0 0 1\n");
+  const std::string relations = folder.write("x.relations", "1.0 2.0 1 0 0 0 0 0\n");
+  const std::string arguments = "evaluate relations " + trajectory + " " + relations;
+  const Json json = Json::parse(run_setsquare(arguments + " --json").out);
+  EXPECT_EQ(json["under_60_s"]["num_relations"], 1);
+  EXPECT_EQ(json["from_60_s"]["num_relations"], 0);
+  EXPECT_TRUE(json["from_60_s"]["translation_m"].is_null());
+  const CommandOutcome table = run_setsquare(arguments);
+  const std::string last = table.out.substr(table.out.find("60 s and more"));
+  EXPECT_THAT(last, HasSubstr(" - "));
+  EXPECT_THAT(last, Not(HasSubstr("0.0")));
+
+  const CommandOutcome chains = run_setsquare("evaluate chains " + relations);
+  EXPECT_EQ(chains.exit_code, 2);
+  EXPECT_EQ(chains.out, "");
+  EXPECT_THAT(chains.err, HasSubstr("x.relations: no relation between stamps"));
+}
+
 }  // namespace
 }  // namespace setsquare

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
@@ -107,6 +108,23 @@ TEST(CommandMapOutputs, ARunKilledInItsMiddleLeavesTheLastOutputsWhole) {
   ASSERT_EQ(map_into(out, log).exit_code, 0);
   EXPECT_FALSE(fs::exists(out / ".setsquare-new"));
   EXPECT_THAT(content_of(out / "run.json"), HasSubstr("\"scans\": 40"));
+}
+
+TEST(CommandMapOutputs, RunJsonNamesTheLogTheVersionAndTheOptions) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("B\xC3\xBCro_\xE6\x97\xA5\xE6\x9C\xAC.clf", room_log(20));
+  const CommandOutcome outcome = run_setsquare("map " + log + " --max-range 40 --no-odometry -o '" +
+                                               (folder.path() / "out").string() + "'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto run = nlohmann::json::parse(content_of(folder.path() / "out" / "run.json"));
+  EXPECT_EQ("'" + run["log"].get<std::string>() + "'", log);
+  EXPECT_THAT(run_setsquare("--version").out, HasSubstr(run["version"].get<std::string>()));
+  EXPECT_EQ(run["options"]["odometry"], false);
+  EXPECT_EQ(run["options"]["max_range_m"], 40.0);
+  EXPECT_TRUE(run["options"]["sensor"].is_null());
+  const std::string not_utf8 = folder.write("B\xFCro.clf", room_log(20));
+  ASSERT_EQ(map_into(folder.path() / "out", not_utf8).exit_code, 0);
+  EXPECT_THAT(content_of(folder.path() / "out" / "run.json"), HasSubstr("B\xEF\xBF\xBDro.clf"));
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <Eigen/LU>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -57,9 +59,15 @@ Pose2 truth(std::size_t reference, std::size_t current) {
   return kRobotPoses[reference].inverse() * kRobotPoses[current];
 }
 
+/// The cells of the lines below the header.
 std::vector<std::vector<std::string>> cells_of(const std::string& table) {
   std::vector<std::vector<std::string>> rows;
   std::istringstream lines(table);
+  std::string header;
+  std::getline(lines, header);
+  EXPECT_EQ(header,
+            "reference_stamp\tcurrent_stamp\tstatus\tx_m\ty_m\ttheta_rad\tzncc_x\tzncc_y\t"
+            "agreement\tcontradiction\toverlap\tscore\trunner_up_score\tmicroseconds");
   for (std::string line; std::getline(lines, line);) {
     std::istringstream cells(line);
     rows.emplace_back();
@@ -218,6 +226,26 @@ TEST(CommandMatch, IndicesAndStampsNameTheSameScans) {
   const CommandOutcome for_people = run_setsquare("match " + log + " 0 1");
   EXPECT_EQ(for_people.exit_code, 0);
   EXPECT_THAT(for_people.out, HasSubstr("matched"));
+}
+
+TEST(CommandMatch, ReportsMarginalStandardDeviations) {
+  const TemporaryFolder folder;
+  const std::string log = folder.write("room.clf", room_log());
+  const auto json = nlohmann::json::parse(run_setsquare("match " + log + " 0 1 --json").out);
+  Eigen::Matrix3d information;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      information(row, column) = json["information"][row][column].get<double>();
+    }
+  }
+  const Eigen::Matrix3d covariance = information.inverse();
+  const double sigma_rad = json["sigma"]["theta_rad"].get<double>();
+  EXPECT_NEAR(json["sigma"]["x_m"].get<double>(), std::sqrt(covariance(0, 0)), 1e-9);
+  EXPECT_NEAR(json["sigma"]["y_m"].get<double>(), std::sqrt(covariance(1, 1)), 1e-9);
+  EXPECT_NEAR(sigma_rad, std::sqrt(covariance(2, 2)), 1e-9);
+  std::array<char, 40> heading{};
+  std::snprintf(heading.data(), heading.size(), "heading %.3f deg", deg_from_rad(sigma_rad));
+  EXPECT_THAT(run_setsquare("match " + log + " 0 1").out, HasSubstr(heading.data()));
 }
 
 }  // namespace

@@ -202,15 +202,15 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
                "through a wall at 0.00,-100.00");
   expect_error("--plan " + cut + " --route '1,1 2,2'", "cut.pgm, offset 16: the image ends");
   expect_error("--plan " + folder.write("plan.dxf", "x") + " --route '1,1 2,2'", ".svg, .yaml");
-  expect_error("--seed -1", "-1 is below 0");
+  expect_error("--seed -1", "--seed: -1 is not a whole number from 0");
   expect_error("--speed 0", "--speed: 0 is not a number above 0");
   expect_error("--every nan", "--every");
   expect_error("--beams 1000000000", "--beams");
   expect_error("--rate 1000", "at most");
   expect_error("--speed 1e-9", "a million scans");
   expect_error("--rate 5 --every 1", "--every");
-  expect_error("--beams 1", "num_beams");
-  expect_error("--field-of-view 400", "field_of_view");
+  expect_error("--beams 1", "--beams: 1 is not a whole number from 2 to 65536");
+  expect_error("--field-of-view 400", "--field-of-view: 400 is not a number above 0");
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What `setsquare evaluate` compares; one file each.
+// What `setsquare evaluate` compares. A header of its own, for each of these stands in another file
+// than the command that gathers them.
 #pragma once
 
 #include <CLI/App.hpp>

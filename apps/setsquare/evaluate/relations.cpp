@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/tables/relations.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -32,12 +33,18 @@ nlohmann::ordered_json json_from_relations(const MeanAndDeviation& statistic, do
 constexpr double kDegPerRad = deg_from_rad(1.0);
 
 nlohmann::ordered_json json_from_relations(const RelationErrors& errors) {
-  return {{"num_relations", errors.num_relations},
-          {"translation_m", json_from_relations(errors.translation_m, 1.0)},
-          {"squared_translation_m2", json_from_relations(errors.squared_translation_m2, 1.0)},
-          {"rotation_deg", json_from_relations(errors.rotation_rad, kDegPerRad)},
-          {"squared_rotation_deg2",
-           json_from_relations(errors.squared_rotation_rad2, kDegPerRad * kDegPerRad)}};
+  nlohmann::ordered_json json = {{"num_relations", errors.num_relations},
+                                 {"translation_m", nullptr},
+                                 {"squared_translation_m2", nullptr},
+                                 {"rotation_deg", nullptr},
+                                 {"squared_rotation_deg2", nullptr}};
+  if (errors.num_relations == 0) return json;
+  json["translation_m"] = json_from_relations(errors.translation_m, 1.0);
+  json["squared_translation_m2"] = json_from_relations(errors.squared_translation_m2, 1.0);
+  json["rotation_deg"] = json_from_relations(errors.rotation_rad, kDegPerRad);
+  json["squared_rotation_deg2"] =
+      json_from_relations(errors.squared_rotation_rad2, kDegPerRad * kDegPerRad);
+  return json;
 }
 
 void print_json(const RelationErrorReport& report) {
@@ -49,21 +56,21 @@ void print_json(const RelationErrorReport& report) {
 }
 
 void print_row(const char* name, const RelationErrors& errors) {
-  char line[200];
-  std::snprintf(line,
-                sizeof line,
-                "%-16s %9zu   %8.4f +- %-8.4f %9.5f +- %-9.5f %8.3f +- %-8.3f %8.3f +- %-8.3f\n",
-                name,
-                errors.num_relations,
-                errors.translation_m.mean,
-                errors.translation_m.deviation,
-                errors.squared_translation_m2.mean,
-                errors.squared_translation_m2.deviation,
-                deg_from_rad(errors.rotation_rad.mean),
-                deg_from_rad(errors.rotation_rad.deviation),
-                kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.mean,
-                kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.deviation);
-  std::cout << line;
+  std::cout << fmt::format("{:<16} {:9}   ", name, errors.num_relations);
+  if (errors.num_relations == 0) {
+    std::cout << fmt::format("{:^20} {:^22} {:^20} {:^20}\n", "-", "-", "-", "-");
+    return;
+  }
+  std::cout << fmt::format(
+      "{:8.4f} +- {:<8.4f} {:9.5f} +- {:<9.5f} {:8.3f} +- {:<8.3f} {:8.3f} +- {:<8.3f}\n",
+      errors.translation_m.mean,
+      errors.translation_m.deviation,
+      errors.squared_translation_m2.mean,
+      errors.squared_translation_m2.deviation,
+      deg_from_rad(errors.rotation_rad.mean),
+      deg_from_rad(errors.rotation_rad.deviation),
+      kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.mean,
+      kDegPerRad * kDegPerRad * errors.squared_rotation_rad2.deviation);
 }
 
 void print_table(const RelationErrorReport& report) {
@@ -101,10 +108,18 @@ void add_evaluate_relations(CLI::App& evaluate) {
   CLI::App* relations = evaluate.add_subcommand(
       "relations", "Error of a trajectory by relations between poses (Kuemmerle et al. 2009)");
   relations->add_option("trajectory", options->trajectory_path, "Trajectory, TUM format")
+      ->type_name("")
       ->required();
-  relations->add_option("relations", options->relations_path, "Relations")->required();
+  relations->add_option("relations", options->relations_path, "Relations between poses")
+      ->type_name("")
+      ->required();
   relations->add_flag("--json", options->is_json, "Print JSON");
-  relations->footer("Example:\n  setsquare evaluate relations out/trajectory.tum intel.relations");
+  relations->footer(
+      "Errors in m and deg, mean and standard deviation, apart for relations within a minute and\n"
+      "over more. \"-\" where no relation is of that kind.\n"
+      "Examples:\n"
+      "  setsquare evaluate relations out/trajectory.tum intel.relations\n"
+      "  setsquare evaluate relations out/trajectory.tum intel.relations --json");
   relations->callback([options] { evaluate_relations(*options); });
 }
 

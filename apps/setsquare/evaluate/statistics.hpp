@@ -10,10 +10,11 @@
 
 namespace setsquare::app {
 
-/// {"mean": ..., "rmse": ..., "median": ..., "max": ..., "deviation": ...}, each times `unit`.
+/// {"mean": ..., "rmse": ..., "median": ..., "max": ..., "deviation": ...}, each times `unit`;
+/// null where there was nothing to measure.
 [[nodiscard]] nlohmann::ordered_json json_from(const ErrorStatistics& statistics, double unit);
 
-/// Two rows under a heading: translation in m, rotation in deg.
+/// Two rows under a heading: translation in m, rotation in deg; "-" where there was nothing.
 [[nodiscard]] std::string table_from(const ErrorStatistics& translation_m,
                                      const ErrorStatistics& rotation_rad);
 

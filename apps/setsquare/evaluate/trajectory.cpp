@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <CLI/Option.hpp>
-#include <CLI/Validators.hpp>
-#include <cstdio>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/evaluate/evaluate.hpp"
 #include "apps/setsquare/evaluate/statistics.hpp"
 #include "setsquare/core/angle.hpp"
@@ -85,20 +85,14 @@ void evaluate_ate(const AteOptions& options) {
     return;
   }
   print_pairs(paired);
-  char line[160];
-  std::snprintf(line,
-                sizeof line,
-                "aligned by x %+.3f m, y %+.3f m, heading %+.3f deg\n",
-                alignment.x_m,
-                alignment.y_m,
-                deg_from_rad(alignment.theta_rad));
-  std::cout << line << table_from(error.translation_m, error.rotation_rad);
-  std::snprintf(line,
-                sizeof line,
-                "final pose: %.4f m, %.4f deg off\n",
-                error.final_translation_m,
-                deg_from_rad(error.final_rotation_rad));
-  std::cout << line;
+  std::cout << fmt::format("aligned by x {:+.3f} m, y {:+.3f} m, heading {:+.3f} deg\n",
+                           alignment.x_m,
+                           alignment.y_m,
+                           deg_from_rad(alignment.theta_rad))
+            << table_from(error.translation_m, error.rotation_rad)
+            << fmt::format("final pose: {:.4f} m, {:.4f} deg off\n",
+                           error.final_translation_m,
+                           deg_from_rad(error.final_rotation_rad));
 }
 
 RelativeErrorParams span_of(const RpeOptions& options) {
@@ -112,9 +106,10 @@ void evaluate_rpe(const RpeOptions& options) {
   const auto error = relative_trajectory_error(paired.pairs, span_of(options));
   const std::size_t num_spans = error.translation_m.num_values;
   if (num_spans == 0) {
-    throw FormatError(options.files.reference_path,
-                      "",
-                      "no two paired poses are as far apart as is asked (see --delta-m)");
+    throw FormatError(
+        options.files.reference_path,
+        "",
+        "no two paired poses are as far apart as --delta-m, --delta-s or --delta-poses asks");
   }
   if (options.files.is_json) {
     Json json = json_of_pairs(paired);
@@ -131,8 +126,12 @@ void evaluate_rpe(const RpeOptions& options) {
 }
 
 void add_files(CLI::App& subcommand, TrajectoryFiles& files) {
-  subcommand.add_option("trajectory", files.trajectory_path, "Trajectory, TUM format")->required();
-  subcommand.add_option("reference", files.reference_path, "The true one, TUM format")->required();
+  subcommand.add_option("trajectory", files.trajectory_path, "Trajectory, TUM format")
+      ->type_name("")
+      ->required();
+  subcommand.add_option("reference", files.reference_path, "The true one, TUM format")
+      ->type_name("")
+      ->required();
   add_time_difference_option(subcommand, files.max_time_difference_s);
   subcommand.add_flag("--json", files.is_json, "Print JSON");
 }
@@ -140,22 +139,27 @@ void add_files(CLI::App& subcommand, TrajectoryFiles& files) {
 }  // namespace
 
 void add_evaluate_ate(CLI::App& evaluate) {
-  static const std::map<std::string, TrajectoryAlignment> kNames{
-      {"best", TrajectoryAlignment::kBest},
-      {"first", TrajectoryAlignment::kFirst},
-      {"none", TrajectoryAlignment::kNone}};
   const auto options = std::make_shared<AteOptions>();
   CLI::App* ate =
       evaluate.add_subcommand("ate", "Absolute error of a trajectory against a true trajectory");
   add_files(*ate, options->files);
-  ate->add_option("--align",
-                  options->alignment,
-                  "The rigid motion of least squares, the first pose, or none (default best)")
-      ->transform(CLI::Transformer(kNames, CLI::ignore_case).description(""))
-      ->type_name("best|first|none");
+  add_choice<TrajectoryAlignment, TrajectoryAlignment>(
+      *ate,
+      "--align",
+      options->alignment,
+      {{"best", TrajectoryAlignment::kBest},
+       {"first", TrajectoryAlignment::kFirst},
+       {"none", TrajectoryAlignment::kNone}},
+      "Before comparing: the rigid motion of least squares, the first pose onto the true one, or "
+      "none",
+      "best");
   ate->footer(
-      "The order of either file does not matter. The deviation is that of the set (n).\n"
-      "Example:\n  setsquare evaluate ate out/trajectory.tum sim/truth.tum --align first");
+      "Errors in m and deg. The order of either file does not matter. The deviation is that of "
+      "the\n"
+      "set (n).\n"
+      "Examples:\n"
+      "  setsquare evaluate ate out/trajectory.tum sim/truth.tum\n"
+      "  setsquare evaluate ate out/trajectory.tum sim/truth.tum --align first --json");
   ate->callback([options] { evaluate_ate(*options); });
 }
 
@@ -164,25 +168,27 @@ void add_evaluate_rpe(CLI::App& evaluate) {
   CLI::App* rpe =
       evaluate.add_subcommand("rpe", "Relative error of a trajectory against a true trajectory");
   add_files(*rpe, options->files);
-  const auto at_least = [](double low) { return CLI::Range(low, 1e9).description(""); };
   CLI::Option* metres =
-      rpe->add_option("--delta-m", options->delta_m, "Over m of the true path (default 1)")
-          ->check(at_least(1e-3))
+      rpe->add_option("--delta-m", options->delta_m, "Over so many metres of the true path")
+          ->check(number_from(1e-3, 1e9))
           ->type_name("M");
-  CLI::Option* seconds = rpe->add_option("--delta-s", options->delta_s, "Over seconds")
-                             ->check(at_least(1e-3))
+  CLI::Option* seconds = rpe->add_option("--delta-s", options->delta_s, "Instead: over seconds")
+                             ->check(number_from(1e-3, 1e9))
                              ->excludes(metres)
+                             ->default_str("")
                              ->type_name("S");
-  rpe->add_option("--delta-poses", options->delta_poses, "Over so many poses")
-      ->check(at_least(1.0))
+  rpe->add_option("--delta-poses", options->delta_poses, "Instead: over so many poses")
+      ->check(number_from(1.0, 1e9))
       ->excludes(metres)
       ->excludes(seconds)
+      ->default_str("")
       ->type_name("N");
   rpe->footer(
-      "From each pose to the first one that is at least so far on. Poses are taken in the order "
-      "of\n"
-      "their stamps, whatever that of the files.\n"
-      "Example:\n  setsquare evaluate rpe out/trajectory.tum sim/truth.tum --delta-m 10");
+      "Errors in m and deg, from each pose to the first one that is at least so far on. Poses are\n"
+      "taken in the order of their stamps, whatever that of the files.\n"
+      "Examples:\n"
+      "  setsquare evaluate rpe out/trajectory.tum sim/truth.tum --delta-m 10\n"
+      "  setsquare evaluate rpe out/trajectory.tum sim/truth.tum --delta-s 1");
   rpe->callback([options] { evaluate_rpe(*options); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <string>
 
 #include "apps/setsquare/info/report.hpp"
@@ -8,15 +9,9 @@
 namespace setsquare::app {
 namespace {
 
-std::string two_decimals(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.2f", value);
-  return text;
-}
-
 /// "line 12" in a text log, "offset 12" in a binary one.
 std::string place(const InfoReport& report, std::uint64_t position) {
-  return (report.format == "CARMEN log" ? "line " : "offset ") + std::to_string(position);
+  return fmt::format("{} {}", report.format == "CARMEN log" ? "line" : "offset", position);
 }
 
 void add_stamp_findings(const std::string& name,
@@ -24,17 +19,18 @@ void add_stamp_findings(const std::string& name,
                         std::vector<std::string>& found) {
   const StampSurvey& stamps = sensor.stamps;
   if (stamps.num_backward > 0) {
-    found.push_back(name + ": " + std::to_string(stamps.num_backward) +
-                    " stamps run backwards, by up to " + two_decimals(stamps.largest_backward_s) +
-                    " s (scans are taken in file order)");
+    found.push_back(fmt::format(
+        "{}: {} stamps run backwards, by up to {:.2f} s (scans are taken in file order)",
+        name,
+        stamps.num_backward,
+        stamps.largest_backward_s));
   }
   if (stamps.num_repeated > 0) {
-    found.push_back(name + ": " + std::to_string(stamps.num_repeated) +
-                    " stamps equal the one before");
+    found.push_back(fmt::format("{}: {} stamps equal the one before", name, stamps.num_repeated));
   }
   if (sensor.num_unchanged > 0) {
-    found.push_back(name + ": " + std::to_string(sensor.num_unchanged) +
-                    " scans repeat the one before, range by range");
+    found.push_back(fmt::format(
+        "{}: {} scans repeat the one before, range by range", name, sensor.num_unchanged));
   }
   if (sensor.num_returns == 0) found.push_back(name + ": not one return");
 }
@@ -60,16 +56,20 @@ void add_odometry_findings(const InfoReport& report,
                            const OdometrySurvey& odometry,
                            std::vector<std::string>& found) {
   if (odometry.num_jumps > 0) {
-    found.push_back(name + ": the odometry jumps " + std::to_string(odometry.num_jumps) +
-                    " times, faster than any robot, first at " +
-                    place(report, odometry.first_jump_position));
+    found.push_back(
+        fmt::format("{}: the odometry jumps {} times, faster than any robot, first at {}",
+                    name,
+                    odometry.num_jumps,
+                    place(report, odometry.first_jump_position)));
   }
   if (odometry.num_sign_contradictions > 0) {
-    found.push_back(name + ": the odometry contradicts itself in " +
-                    std::to_string(odometry.num_sign_contradictions) + " of " +
-                    std::to_string(odometry.num_poses) + " steps, first at " +
-                    place(report, odometry.first_contradiction_position) +
-                    ": the pose moves one way while the reported speed points the other");
+    found.push_back(
+        fmt::format("{}: the odometry contradicts itself in {} of {} steps, first at {}: the pose "
+                    "moves one way while the reported speed points the other",
+                    name,
+                    odometry.num_sign_contradictions,
+                    odometry.num_poses,
+                    place(report, odometry.first_contradiction_position)));
   }
 }
 
@@ -88,12 +88,12 @@ std::vector<std::string> findings(const InfoReport& report) {
   const LogProblems& problems = report.problems;
   found.insert(found.end(), problems.remarks.begin(), problems.remarks.end());
   if (problems.num_damaged > 0) {
-    found.push_back(std::to_string(problems.num_damaged) + (problems.num_damaged == 1
-                                                                ? " damaged record skipped:"
-                                                                : " damaged records skipped:"));
+    found.push_back(fmt::format("{} damaged record{} skipped:",
+                                problems.num_damaged,
+                                problems.num_damaged == 1 ? "" : "s"));
   }
   for (const LogProblem& problem : problems.first) {
-    found.push_back("  " + problem.location + ": " + problem.reason);
+    found.push_back(fmt::format("  {}: {}", problem.location, problem.reason));
   }
   if (problems.num_damaged > problems.first.size()) found.emplace_back("  ...");
   return found;

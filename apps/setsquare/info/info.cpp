@@ -52,11 +52,13 @@ void tell_info(const InfoOptions& options) {
 void add_info(CLI::App& application) {
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* info = application.add_subcommand("info", "What is in a log and what is wrong with it");
-  info->add_option("log", options->log_path, "CARMEN log or MRPT rawlog, plain or gzip; - = stdin")
-      ->required();
+  add_log_argument(*info, options->log_path);
   info->add_flag("--json", options->is_json, "Print JSON");
   add_log_options(*info, options->log);
-  info->footer("Examples:\n  setsquare info intel.clf\n  zcat log.gz | setsquare info - --json");
+  info->get_option("--sensor")->default_str("all");
+  info->footer(
+      "Angles in deg, lengths in m, times in s.\nExamples:\n  setsquare info intel.clf\n  zcat "
+      "log.gz | setsquare info - --json");
   info->callback([options] { tell_info(*options); });
 }
 

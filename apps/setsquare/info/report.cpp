@@ -2,32 +2,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/info/report.hpp"
 
-#include <cstdarg>
-#include <cstdio>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 #include "setsquare/core/angle.hpp"
 
 namespace setsquare::app {
 namespace {
 
-[[gnu::format(printf, 1, 2)]] std::string format_line(const char* format, ...) {
-  char line[400];
-  std::va_list arguments;
-  va_start(arguments, format);
-  std::vsnprintf(line, sizeof line, format, arguments);
-  va_end(arguments);
-  return line;
-}
-
-using Count = unsigned long long;
-
 /// "180" or "180 to 181".
-std::string text_of(const Interval& interval, const char* format, double unit = 1.0) {
-  char low[40];
-  char high[40];
-  std::snprintf(low, sizeof low, format, unit * interval.low);
-  std::snprintf(high, sizeof high, format, unit * interval.high);
-  return std::string(low) == high ? low : std::string(low) + " to " + high;
+std::string text_of(const Interval& interval, int num_decimals, double unit = 1.0) {
+  const std::string low = fmt::format("{:.{}f}", unit * interval.low, num_decimals);
+  const std::string high = fmt::format("{:.{}f}", unit * interval.high, num_decimals);
+  return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
 double percent(std::uint64_t part, std::uint64_t whole) {
@@ -41,8 +29,7 @@ std::string text_of_codes(const SensorSurvey& sensor) {
       codes.begin(), codes.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
   std::string text;
   for (std::size_t i = 0; i < std::min(codes.size(), kMaxShown); ++i) {
-    text +=
-        format_line("%s%.2f m (%llu)", i == 0 ? "" : ", ", codes[i].first, Count{codes[i].second});
+    text += fmt::format("{}{:.2f} m ({})", i == 0 ? "" : ", ", codes[i].first, codes[i].second);
   }
   return codes.size() > kMaxShown ? text + ", ..." : text;
 }
@@ -55,27 +42,27 @@ void print_sensor(const std::string& name,
   const double duration_s = sensor.stamps.duration_s();
   const std::uint64_t num_all = sensor.num_returns + sensor.num_no_returns + sensor.num_invalid;
   out << "\n" << name << (is_front ? " (the laser that is read by default)\n" : "\n");
-  out << format_line("  scans      %llu in %.1f s", Count{sensor.stamps.num_stamps}, duration_s);
+  out << fmt::format("  scans      {} in {:.1f} s", sensor.stamps.num_stamps, duration_s);
   if (duration_s > 0.0) {
-    out << format_line(", %.2f a second, longest gap %.2f s",
+    out << fmt::format(", {:.2f} per second, longest gap {:.2f} s",
                        static_cast<double>(sensor.stamps.num_stamps - 1) / duration_s,
                        sensor.stamps.longest_gap_s);
   }
   out << "\n  stamps     " << to_string(sensor.stamps.first) << " to "
       << to_string(sensor.stamps.previous) << "\n";
-  out << "  beams      " << text_of(sensor.num_beams, "%.0f") << ", the first at "
-      << text_of(sensor.first_bearing_rad, "%.2f", degrees) << " deg, step "
-      << text_of(sensor.bearing_step_rad, "%.4f", degrees) << " deg, field of view "
-      << text_of(sensor.field_of_view_rad, "%.2f", degrees) << " deg\n";
-  out << format_line("  mounting   x %.3f m, y %.3f m, heading %.2f deg on the robot\n",
+  out << "  beams      " << text_of(sensor.num_beams, 0) << ", the first at "
+      << text_of(sensor.first_bearing_rad, 2, degrees) << " deg, step "
+      << text_of(sensor.bearing_step_rad, 4, degrees) << " deg, field of view "
+      << text_of(sensor.field_of_view_rad, 2, degrees) << " deg\n";
+  out << fmt::format("  mounting   x {:.3f} m, y {:.3f} m, heading {:.2f} deg on the robot\n",
                      sensor.T_base_sensor.x_m,
                      sensor.T_base_sensor.y_m,
                      deg_from_rad(sensor.T_base_sensor.theta_rad));
-  out << format_line("  returns    %.2f %%", percent(sensor.num_returns, num_all));
+  out << fmt::format("  returns    {:.2f} %", percent(sensor.num_returns, num_all));
   if (!sensor.return_range_m.empty()) {
-    out << " (" << text_of(sensor.return_range_m, "%.2f") << " m)";
+    out << " (" << text_of(sensor.return_range_m, 2) << " m)";
   }
-  out << format_line(", nothing seen %.2f %% (from %.2f m), invalid %.2f %%\n",
+  out << fmt::format(", nothing seen {:.2f} % (from {:.2f} m), invalid {:.2f} %\n",
                      percent(sensor.num_no_returns, num_all),
                      sensor.max_range_m,
                      percent(sensor.num_invalid, num_all));
@@ -84,12 +71,13 @@ void print_sensor(const std::string& name,
 
 void print_odometry(const char* name, const OdometrySurvey& odometry, std::ostream& out) {
   if (odometry.num_poses == 0) return;
-  out << format_line("  %-10s %llu poses, path %.1f m, turns %.0f deg in sum, at rest %.1f %%\n",
-                     name,
-                     Count{odometry.num_poses},
-                     odometry.path_m,
-                     deg_from_rad(odometry.turn_rad),
-                     percent(odometry.num_still, odometry.num_poses));
+  out << fmt::format(
+      "  {:<10} {} poses, path {:.1f} m, turns {:.0f} deg in sum, at rest {:.1f} %\n",
+      name,
+      odometry.num_poses,
+      odometry.path_m,
+      deg_from_rad(odometry.turn_rad),
+      percent(odometry.num_still, odometry.num_poses));
 }
 
 }  // namespace

@@ -11,7 +11,7 @@
 
 namespace setsquare::app {
 
-/// All that `setsquare info` has to tell.
+/// All that `setsquare info` reports.
 struct InfoReport {
   std::string path;
   std::string format;

@@ -1,16 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare map LOG -o DIR`: the map of a building, and every scan's pose.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/map/outputs.hpp"
 #include "apps/setsquare/map/report.hpp"
 #include "apps/setsquare/map/run.hpp"
@@ -39,54 +41,43 @@ void tell_doubts(const MapSummary& summary) {
               << " scans, that tracking lost and no place joined; the map leaves them out\n";
   }
   if (summary.open_m == 0.0) return;
-  char line[200];
-  std::snprintf(line,
-                sizeof line,
-                "not seen by the walls: %.0f m along bare corridors; the least certain stretch is "
-                "known to %.2f m (sigma)\n",
-                summary.open_m,
-                summary.worst_length_sigma_m);
-  std::cout << line;
+  std::cout << fmt::format(
+      "not seen by the walls: {:.0f} m along bare corridors; the least certain stretch is known to "
+      "{:.2f} m (sigma)\n",
+      summary.open_m,
+      summary.worst_length_sigma_m);
 }
 
 void tell(const MapSummary& summary, double total_s) {
-  char line[300];
-  std::snprintf(line,
-                sizeof line,
-                "%zu scans, %zu keyframes, %.0f m travelled; degenerate %zu, recovered %zu, lost "
-                "%zu\n%zu loop closures of %zu compared, %zu outvoted\n",
-                summary.num_scans,
-                summary.num_keyframes,
-                summary.path_m,
-                summary.num_degenerate,
-                summary.num_recovered,
-                summary.num_lost,
-                summary.num_accepted_closures,
-                summary.num_compared_closures,
-                summary.num_outvoted_closures);
-  std::cout << line;
+  std::cout << fmt::format(
+      "{} scans, {} keyframes, {:.0f} m travelled; degenerate {}, recovered {}, lost {}\n"
+      "{} loop closures of {} compared, {} outvoted\n",
+      summary.num_scans,
+      summary.num_keyframes,
+      summary.path_m,
+      summary.num_degenerate,
+      summary.num_recovered,
+      summary.num_lost,
+      summary.num_accepted_closures,
+      summary.num_compared_closures,
+      summary.num_outvoted_closures);
   tell_doubts(summary);
-  std::snprintf(line,
-                sizeof line,
-                "mapped and written in %.2f s (%.0f us a scan)\n",
-                total_s,
-                1e6 * total_s / static_cast<double>(summary.num_scans));
-  std::cout << line;
+  std::cout << fmt::format("mapped and written in {:.2f} s ({:.0f} us per scan)\n",
+                           total_s,
+                           1e6 * total_s / static_cast<double>(summary.num_scans));
 }
 
 void tell_files(const std::string& folder, const std::vector<std::string>& names) {
-  std::cout << "written: " << folder << "/";
-  for (const std::string& name : names) std::cout << (&name == &names.front() ? "" : ", ") << name;
-  std::cout << "\n";
+  std::cout << fmt::format("written: {}/{}\n", folder, fmt::join(names, ", "));
 }
 
 /// A map of nothing would replace the last one. Throws FileError.
 void require_something_mapped(const MapOptions& options, const MapSummary& summary) {
   const std::size_t num_scans = summary.num_scans;
   if (num_scans == 0 || summary.num_lost < num_scans) return;
-  throw FileError(options.log_path,
-                  "none of its " + std::to_string(num_scans) +
-                      " scans could be mapped: too few returns within range");
+  throw FileError(
+      options.log_path,
+      fmt::format("none of its {} scans could be mapped: too few returns within range", num_scans));
 }
 
 void map_log(MapOptions options) {
@@ -97,7 +88,7 @@ void map_log(MapOptions options) {
   LogOptions log_options = options.log;
   log_options.scans_only = true;
   const auto reader = open_log(options.log_path, log_options);
-  OutputSet outputs(options.output_path, map_output_names());
+  OutputSet outputs(options.output_path, map_output_names(), {options.log_path});
   const MapRun run = run_map(*reader, options, clock);
   const MapSummary summary = summary_of(run.map);
   require_something_mapped(options, summary);
@@ -113,25 +104,28 @@ void add_map(CLI::App& application) {
   const auto options = std::make_shared<MapOptions>();
   CLI::App* map =
       application.add_subcommand("map", "Map a log: the building, and every scan's pose");
-  map->add_option("log", options->log_path, "CARMEN log or MRPT rawlog, plain or gzip; - = stdin")
-      ->required();
+  add_log_argument(*map, options->log_path);
   map->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
+      ->type_name("DIR")
       ->required();
-  map->add_flag("!--no-odometry", options->uses_odometry, "Use the scans alone");
+  map->add_flag_callback(
+      "--no-odometry", [options] { options->uses_odometry = false; }, "Use the scans alone");
   options->num_threads = 0;
   map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
-      ->default_str("one a processor")
-      ->check(CLI::Range(1, 1024));
+      ->check(whole_number(1, 1024))
+      ->type_name("N")
+      ->default_str("one per processor");
   add_preset_option(*map, options->preset);
   add_frame_option(*map, options->is_of_sensor);
   add_log_options(*map, options->log);
   map->footer(
       "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
-      "trajectory.tum (one pose a scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
+      "trajectory.tum (one pose per scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
       "of them at the end, or none. docs/formats.md describes them.\n"
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
-      "  setsquare map intel.clf -o out --no-odometry");
+      "  setsquare map intel.clf -o out --no-odometry\n"
+      "  zcat intel.clf.gz | setsquare map - -o out");
   map->callback([options] { map_log(*options); });
 }
 

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/outputs.hpp"
 
-#include <filesystem>
-
 #include "apps/setsquare/map/report.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/io/tables/closures_tsv.hpp"
@@ -65,12 +64,11 @@ void write_map_outputs(OutputSet& outputs,
     outputs.add("graph.g2o", g2o_from_pose_graph(run.map.graph));
     outputs.add("closures.tsv", tsv_from_closures(closures));
     clock.begin("report");
-    outputs.add(
-        "report.html",
-        map_report_html({.title = std::filesystem::path(options.log_path).filename().string(),
-                         .map = run.map,
-                         .grid = &grid,
-                         .figures = map_figures(run.map)}));
+    outputs.add("report.html",
+                map_report_html({.title = title_of_log(options.log_path),
+                                 .map = run.map,
+                                 .grid = &grid,
+                                 .figures = map_figures(run.map)}));
   }
   outputs.add("run.json", run_json(options, run));
   clock.end();

@@ -13,7 +13,7 @@
 namespace setsquare::app {
 
 /// Every file that `setsquare map` may write, as OutputSet wants them: in the order in which they
-/// come, run.json last, so that who finds it finds a whole set. docs/formats.md describes each.
+/// come. run.json is the last: where it is, the set is whole. docs/formats.md describes each.
 [[nodiscard]] std::vector<std::string> map_output_names();
 
 /// Adds map.pgm and map.yaml. Throws FileError; ParameterError where the grid is turned.

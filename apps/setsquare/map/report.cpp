@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "setsquare/map/map_summary.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
@@ -102,16 +103,34 @@ Json parameters(const MapOptions& options) {
           {"registration_rounds", params.registration.num_rounds}};
 }
 
+/// Nothing given is null.
+Json json_if(const std::optional<double>& value, double unit) {
+  return value ? Json(rounded(unit * *value)) : Json();
+}
+
+/// The options of the command that decide what the map is; --preset and --frame stand beside.
+Json json_of_options(const MapOptions& options) {
+  const double degrees = deg_from_rad(1.0);
+  return {{"odometry", options.uses_odometry},
+          {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
+          {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},
+          {"angular_step_deg", json_if(options.log.bearing_step_rad, degrees)},
+          {"max_range_m", json_if(options.log.max_range_m, 1.0)}};
+}
+
 }  // namespace
 
 std::string run_json(const MapOptions& options, const MapRun& run) {
   const Map& map = run.map;
   const MapSummary summary = summary_of(map);
   const bool is_paper = options.preset == Preset::kPaper;
-  const Json json = {{"format", run.format},
+  const Json json = {{"version", SETSQUARE_VERSION},
+                     {"log", options.log_path},
+                     {"format", run.format},
                      {"sensor", run.sensor},
                      {"preset", is_paper ? "paper" : "default"},
                      {"frame", options.is_of_sensor ? "sensor" : "base"},
+                     {"options", json_of_options(options)},
                      {"scans_with_odometry", map.num_with_odometry},
                      {"damaged_records", run.problems.num_damaged},
                      {"num", scan_counts(summary)},
@@ -122,7 +141,8 @@ std::string run_json(const MapOptions& options, const MapRun& run) {
                      {"open_stretches", array_from(map.open_stretches, map)},
                      {"stretches", array_from(status_stretches(map), map)},
                      {"parameters", parameters(options)}};
-  return json.dump(2) + "\n";
+  // A path need not be UTF-8: what is not is replaced.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace setsquare::app

@@ -8,8 +8,8 @@
 
 namespace setsquare::app {
 
-/// The content of run.json: what was read, how it went, with which parameters. The same log and
-/// options give the same bytes; times are told elsewhere.
+/// The content of run.json: what was read, how it went, with which options and parameters. The
+/// same log and options give the same bytes; times are in timing.json.
 [[nodiscard]] std::string run_json(const MapOptions& options, const MapRun& run);
 
 }  // namespace setsquare::app

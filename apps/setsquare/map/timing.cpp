@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Microseconds: finer the clock's noise does not let it be.
+/// Times are measured to about a microsecond.
 double rounded_to_us(double seconds) { return std::round(seconds * 1e6) / 1e6; }
 
 /// As the system calls it; "unknown" where it does not.

@@ -44,19 +44,20 @@ class StageClock {
   static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 };
 
-/// What timing.json tells of a run.
+/// What timing.json reports of a run.
 struct MapTiming {
   std::vector<StageTime> stages;
   std::size_t num_scans = 0;
   int num_threads = 1;
 };
 
-/// The content of timing.json: the stages and their sum, the time a scan, the threads, the
+/// The content of timing.json: the stages and their sum, the time per scan, the threads, the
 /// process's peak memory so far, the machine and the build. Of all outputs it alone differs from
 /// run to run.
 [[nodiscard]] std::string timing_json(const MapTiming& timing);
 
-/// The most memory that the process has had so far, in bytes; 0 where the system does not tell.
+/// The most memory that the process has had so far, in bytes; 0 where the system does not report
+/// it.
 [[nodiscard]] std::uint64_t peak_memory_bytes();
 
 }  // namespace setsquare::app

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare explain LOG I J -o FILE`: one match as a picture.
+#include <fmt/core.h>
+
 #include <array>
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
@@ -10,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "apps/setsquare/outputs/output_file.hpp"
 #include "apps/setsquare/preset.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/scans/select_scan.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 #include "setsquare/report/match/report.hpp"
 
 namespace setsquare::app {
@@ -39,24 +41,23 @@ MatchReportWriter writer_for(const std::string& output_path) {
 }
 
 std::string name_of_scan(const SelectedScan& selected) {
-  return "scan " + std::to_string(selected.index) + ", stamp " + to_string(selected.scan.stamp);
+  return fmt::format("scan {}, stamp {}", selected.index, to_string(selected.scan.stamp));
 }
 
 void explain(const ExplainOptions& options) {
   const MatchReportWriter report_from = writer_for(options.output_path);
+  const OutputFile output(options.output_path, {options.log_path});
   const std::vector<SelectedScan> selected =
       select_scans(options.log_path, options.scans, options.log);
-  const StoryNames names = {
-      .log = options.log_path == "-" ? "standard input"
-                                     : std::filesystem::path(options.log_path).filename().string(),
-      .reference = name_of_scan(selected[0]),
-      .current = name_of_scan(selected[1])};
+  const StoryNames names = {.log = title_of_log(options.log_path),
+                            .reference = name_of_scan(selected[0]),
+                            .current = name_of_scan(selected[1])};
   const Scan& reference = selected[0].scan;
   const Scan& current = selected[1].scan;
   const MatchStory story = options.preset == Preset::kPaper
                                ? tell_paper_match(reference, current, names)
                                : tell_default_match(reference, current, names);
-  save_file(options.output_path, report_from(story));
+  output.write(report_from(story));
   for (const std::string& sentence : story.evidence) std::cout << sentence << "\n";
 }
 
@@ -66,17 +67,19 @@ void add_explain(CLI::App& application) {
   CLI::App* explain_command =
       application.add_subcommand("explain", "One match as a picture: what spoke for which pose");
   const auto options = std::make_shared<ExplainOptions>();
-  explain_command
-      ->add_option("log", options->log_path, "Log, plain or gzip, or - for standard input")
-      ->required();
+  add_log_argument(*explain_command, options->log_path);
   explain_command
       ->add_option("reference",
                    options->scans[0],
-                   "Reference scan: an index (0 = first), or a stamp when written with a decimal "
-                   "point")
+                   "Reference scan: an index (0 = first), or a stamp in s when written with a "
+                   "decimal point")
+      ->type_name("I")
       ->required();
-  explain_command->add_option("current", options->scans[1], "Current scan, likewise")->required();
+  explain_command->add_option("current", options->scans[1], "Current scan, likewise")
+      ->type_name("J")
+      ->required();
   explain_command->add_option("-o,--output", options->output_path, "Picture (.svg) or page (.html)")
+      ->type_name("FILE")
       ->required();
   add_preset_option(*explain_command, options->preset);
   add_log_options(*explain_command, options->log);

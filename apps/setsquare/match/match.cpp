@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// `setsquare match LOG I J` and `setsquare match LOG --pairs FILE`.
+#include "apps/setsquare/match/match.hpp"
+
 #include <CLI/App.hpp>
 #include <CLI/Option.hpp>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "apps/setsquare/match/one.hpp"
-#include "apps/setsquare/match/pairs.hpp"
 #include "apps/setsquare/preset.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
@@ -73,29 +74,35 @@ void add_match(CLI::App& application) {
   CLI::App* match =
       application.add_subcommand("match", "Relative pose of two scans, without an initial guess");
   const auto options = std::make_shared<MatchOptions>();
-  match->add_option("log", options->log_path, "Log, plain or gzip, or - for standard input")
-      ->required();
+  add_log_argument(*match, options->log_path);
   match
       ->add_option("scans",
                    options->scans,
-                   "Reference and current scan: indices (0 = first), or stamps when written with a "
-                   "decimal point")
+                   "Reference and current scan: indices (0 = first), or stamps in s when written "
+                   "with a decimal point")
       ->expected(0, 2)
       ->type_name("I J");
-  match->add_option("--pairs", options->pairs_path, "Match every pair of a relations file");
-  match->add_option("-o,--output", options->output_path, "With --pairs: the table's file, or -");
+  match
+      ->add_option("--pairs",
+                   options->pairs_path,
+                   "Instead of two scans: match every pair of a relations file")
+      ->type_name("FILE");
+  match
+      ->add_option(
+          "-o,--output", options->output_path, "With --pairs: the table's file; - = stdout")
+      ->type_name("FILE");
   match->add_flag("--json", options->is_json, "With two scans: print JSON");
   add_preset_option(*match, options->preset);
   add_frame_option(*match, options->is_of_sensor);
   add_log_options(*match, options->log);
   match->footer(
-      "The table of --pairs has one tab-separated line a relation, in the file's order, poses of\n"
-      "the robot (base):\n"
-      "  reference_stamp current_stamp status x_m y_m theta_rad zncc_x zncc_y agreement\n"
-      "  contradiction overlap score runner_up_score microseconds\n"
-      "status: matched, ambiguous, degenerate, no_overlap, too_few_points or rejected; the pose "
-      "is\n"
-      "the best proposal whatever the status, nan where there is none. A summary against the\n"
+      "Two scans: the pose of the current scan in the reference's frame, in m and deg, with its\n"
+      "standard deviations and the evidence. status is matched, ambiguous, degenerate, "
+      "no_overlap,\n"
+      "too_few_points or rejected; the pose is the best proposal whatever the status.\n"
+      "--pairs: a table with a header and one tab-separated line per relation, in the file's "
+      "order,\n"
+      "in m, rad and microseconds, poses of the robot (docs/formats.md). A summary against the\n"
       "relations goes to standard error, by overlap where FILE.overlap lies beside "
       "FILE.relations.\n"
       "Examples:\n"

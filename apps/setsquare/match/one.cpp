@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/match/one.hpp"
+#include <fmt/format.h>
 
-#include <cmath>
-#include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include "apps/setsquare/match/match.hpp"
 #include "apps/setsquare/scans/select_scan.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/matching/base_frame.hpp"
@@ -31,6 +33,10 @@ void print_json(const MatchResult& result, const Scan& reference, const Scan& cu
         {result.information(row, 0), result.information(row, 1), result.information(row, 2)});
   }
   json["information"] = rows;
+  json["sigma"] = nullptr;
+  if (const auto sigmas = marginal_sigmas(result)) {
+    json["sigma"] = {{"x_m", sigmas->x_m}, {"y_m", sigmas->y_m}, {"theta_rad", sigmas->theta_rad}};
+  }
   json["zncc_x"] = result.zncc_x;
   json["zncc_y"] = result.zncc_y;
   json["score"] = result.score;
@@ -49,12 +55,19 @@ void print_json(const MatchResult& result, const Scan& reference, const Scan& cu
   std::cout << json.dump(2) << "\n";
 }
 
-void print_pose(const char* label, const Pose2& pose) {
-  std::printf("%-15s x %+.3f m   y %+.3f m   heading %+.2f deg\n",
-              label,
-              pose.x_m,
-              pose.y_m,
-              deg_from_rad(pose.theta_rad));
+/// A line of the answer: what, and how much of it.
+template <typename... Values>
+void print_line(std::string_view label, fmt::format_string<Values...> form, Values&&... values) {
+  std::cout << fmt::format("{:<15} ", label) << fmt::format(form, std::forward<Values>(values)...)
+            << "\n";
+}
+
+void print_pose(std::string_view label, const Pose2& pose) {
+  print_line(label,
+             "x {:+.3f} m   y {:+.3f} m   heading {:+.2f} deg",
+             pose.x_m,
+             pose.y_m,
+             deg_from_rad(pose.theta_rad));
 }
 
 const char* meaning(MatchStatus status) {
@@ -64,7 +77,7 @@ const char* meaning(MatchStatus status) {
     case MatchStatus::kAmbiguous:
       return "another pose explains the scans almost as well, or too little speaks for this one";
     case MatchStatus::kDegenerate:
-      return "the scans do not determine the motion along one direction";
+      return "the scans leave the motion along one direction open, or the rotation";
     case MatchStatus::kNoOverlap:
       return "no pose explains enough of the scans";
     case MatchStatus::kTooFewPoints:
@@ -75,43 +88,41 @@ const char* meaning(MatchStatus status) {
   return "";
 }
 
-/// The standard deviation along x, y and theta alone, the others held: no inversion of what may be
-/// singular.
-void print_information(const Eigen::Matrix3d& information) {
-  if (!(information.diagonal().minCoeff() > 0.0)) return;
-  std::printf("%-15s x %.3f m   y %.3f m   heading %.3f deg   (sigma, the others held)\n",
-              "precision",
-              1.0 / std::sqrt(information(0, 0)),
-              1.0 / std::sqrt(information(1, 1)),
-              deg_from_rad(1.0 / std::sqrt(information(2, 2))));
+/// The marginal standard deviations, or what the scans leave open.
+void print_precision(const MatchResult& result) {
+  if (const auto sigmas = marginal_sigmas(result)) {
+    print_line("precision",
+               "x {:.3f} m   y {:.3f} m   heading {:.3f} deg   (standard deviations)",
+               sigmas->x_m,
+               sigmas->y_m,
+               deg_from_rad(sigmas->theta_rad));
+  }
+  if (result.degenerate_direction_rad) {
+    print_line("precision",
+               "open along {:.1f} deg in the reference's frame",
+               deg_from_rad(*result.degenerate_direction_rad));
+  } else if (result.status == MatchStatus::kDegenerate) {
+    print_line("precision", "open in rotation");
+  }
 }
 
 void print_text(const MatchResult& result, const Scan& reference, const Scan& current) {
-  std::printf("%-15s %s\n", "reference", to_string(reference.stamp).c_str());
-  std::printf("%-15s %s\n", "current", to_string(current.stamp).c_str());
-  std::printf("%-15s %s: %s\n",
-              "status",
-              std::string(to_string(result.status)).c_str(),
-              meaning(result.status));
+  print_line("reference", "{}", to_string(reference.stamp));
+  print_line("current", "{}", to_string(current.stamp));
+  print_line("status", "{}: {}", to_string(result.status), meaning(result.status));
   if (!result.T_reference_current) return;
   print_pose("pose", *result.T_reference_current);
-  print_information(result.information);
-  std::printf("%-15s agreement %.2f   contradiction %.3f   overlap %.2f   score %.3f\n",
-              "evidence",
-              result.agreement,
-              result.contradiction,
-              result.overlap,
-              result.score);
-  std::printf("%-15s along x' %.2f   along y' %.2f\n", "zncc", result.zncc_x, result.zncc_y);
-  if (result.runner_up) {
-    print_pose("runner-up", result.runner_up->T_reference_current);
-    std::printf("%-15s %.3f below the answer\n", "", result.score - result.runner_up->score);
-  }
-  if (result.degenerate_direction_rad) {
-    std::printf("%-15s %.1f deg in the reference's frame\n",
-                "undetermined",
-                deg_from_rad(*result.degenerate_direction_rad));
-  }
+  print_precision(result);
+  print_line("evidence",
+             "agreement {:.2f}   contradiction {:.3f}   overlap {:.2f}   score {:.3f}",
+             result.agreement,
+             result.contradiction,
+             result.overlap,
+             result.score);
+  print_line("zncc", "along x' {:.2f}   along y' {:.2f}", result.zncc_x, result.zncc_y);
+  if (!result.runner_up) return;
+  print_pose("runner-up", result.runner_up->T_reference_current);
+  print_line("", "{:.3f} below the answer", result.score - result.runner_up->score);
 }
 
 }  // namespace

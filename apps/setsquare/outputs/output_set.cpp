@@ -42,31 +42,37 @@ bool is_there(const fs::path& path) {
 
 }  // namespace
 
-OutputSet::OutputSet(const std::string& path, std::vector<std::string> names)
-    : directory_(path), path_(path), names_(std::move(names)) {
-  lock();
+OutputSet::OutputSet(const std::string& path,
+                     std::vector<std::string> names,
+                     const InputPaths& inputs)
+    : path_(path), names_(std::move(names)), signals_([this] { discard(); }) {
+  const auto held = signals_.hold();
   try {
-    for (const std::string& name : names_) {
-      std::error_code ignored;
-      if (fs::is_directory(path_ / name, ignored)) {
-        throw FileError((path_ / name).string(), "cannot be written: it is a directory");
-      }
-    }
+    make_directory();
+    lock();
+    refuse(inputs);
     finish_commit();
-    std::error_code error;
-    fs::remove_all(path_ / kNew, error);
-    if (!error) fs::create_directory(path_ / kNew, error);
-    require(path_, error);
+    begin();
   } catch (...) {
-    ::close(lock_);
+    discard();
     throw;
   }
 }
 
 OutputSet::~OutputSet() {
-  std::error_code ignored;
-  fs::remove_all(path_ / kNew, ignored);
-  ::close(lock_);
+  const auto held = signals_.hold();
+  discard();
+}
+
+void OutputSet::make_directory() {
+  std::error_code error;
+  for (fs::path outer = path_; !outer.empty() && !fs::exists(outer, error);
+       outer = outer.parent_path()) {
+    if (outer.has_filename()) made_.push_back(outer);
+  }
+  fs::create_directories(path_, error);
+  if (error) throw FileError(path_.string(), "cannot be made: " + error.message());
+  if (!fs::is_directory(path_)) throw FileError(path_.string(), "is not a directory");
 }
 
 void OutputSet::lock() {
@@ -74,23 +80,69 @@ void OutputSet::lock() {
   require(path_, std::error_code(lock_ < 0 ? errno : 0, std::generic_category()));
   // Released by the system when the process ends, however it does. Some file systems have no locks.
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return;
-  ::close(lock_);
   throw FileError(path_.string(), "cannot be written: another run writes there");
+}
+
+void OutputSet::refuse(const InputPaths& inputs) const {
+  std::error_code ignored;
+  for (const std::string& name : names_) {
+    if (fs::is_directory(path_ / name, ignored)) {
+      throw FileError((path_ / name).string(), "cannot be written: it is a directory");
+    }
+    refuse_input(path_ / name, inputs);
+  }
+  // What a killed run left behind is about to be moved or removed.
+  for (const char* const aside : {kNew, kWhole, kMove}) {
+    for (const auto& entry : fs::directory_iterator(path_ / aside, ignored)) {
+      refuse_input(entry.path(), inputs);
+    }
+  }
+}
+
+void OutputSet::begin() {
+  is_begun_ = true;
+  std::error_code error;
+  fs::remove_all(path_ / kNew, error);
+  if (!error) fs::create_directory(path_ / kNew, error);
+  require(path_, error);
+}
+
+void OutputSet::discard() noexcept {
+  std::error_code error;
+  if (is_begun_) fs::remove_all(path_ / kNew, error);
+  if (lock_ >= 0) ::close(std::exchange(lock_, -1));
+  for (const fs::path& made : made_) {
+    if (!fs::is_empty(made, error) || error) return;
+    fs::remove(made, error);
+  }
 }
 
 void OutputSet::add(const std::string& name, std::string_view bytes) {
   assert(std::ranges::find(names_, name) != names_.end());
+  const auto held = signals_.hold();
   save_file((path_ / kNew / name).string(), bytes);
   added_.push_back(name);
 }
 
 void OutputSet::commit() {
+  const auto held = signals_.hold();
   move(path_ / kNew, path_ / kWhole);
   finish_commit();
 }
 
+void OutputSet::require_ours(const std::filesystem::path& set) const {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(set, ignored)) {
+    if (std::ranges::find(names_, entry.path().filename().string()) != names_.end()) continue;
+    throw FileError(set.string(),
+                    "is what another command left when it was killed: run that one again first");
+  }
+}
+
 void OutputSet::finish_commit() {
   std::error_code error;
+  require_ours(path_ / kWhole);
+  require_ours(path_ / kMove);
   if (is_there(path_ / kWhole)) {
     for (const std::string& name : names_ | std::views::reverse) {
       fs::remove(path_ / name, error);

@@ -9,11 +9,17 @@
 
 namespace setsquare::app {
 
+/// Adds the positional argument "log". `path` must outlive the application.
+void add_log_argument(CLI::App& subcommand, std::string& path);
+
 /// Adds the options by which every subcommand reads a log: --sensor, --field-of-view,
 /// --angular-step, --max-range. `options` must outlive the application.
 void add_log_options(CLI::App& subcommand, LogOptions& options);
 
-/// Tells on standard error, at the end of a run, what was wrong with a log: one line for the
+/// "standard input" for "-", else the last part of the path: how a page or a picture names the log.
+[[nodiscard]] std::string title_of_log(const std::string& path);
+
+/// Reports on standard error, at the end of a run, what was wrong with a log: one line for the
 /// damaged records, one for each remark. Nothing where nothing was.
 void tell_problems(const std::string& path, const LogProblems& problems);
 

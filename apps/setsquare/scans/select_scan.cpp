@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/scans/select_scan.hpp"
 
+#include <fmt/core.h>
+
 #include <charconv>
 #include <cmath>
 #include <memory>
@@ -21,7 +23,7 @@ namespace {
 std::string words_of(const LogProblems& problems) {
   std::string words = summary(problems);
   for (const std::string& remark : problems.remarks) words += (words.empty() ? "" : "; ") + remark;
-  return words.empty() ? words : " (" + words + ")";
+  return words.empty() ? words : fmt::format(" ({})", words);
 }
 
 /// What one text asks for: an index or a stamp.
@@ -46,15 +48,15 @@ class Wanted {
   }
 
   [[noreturn]] void complain_of_absence(std::size_t num_scans, const LogProblems& problems) const {
-    const std::string count = std::to_string(num_scans);
     const std::string damage = words_of(problems);
-    if (stamp_) complain("is the stamp of none of its " + count + " scans" + damage);
-    complain("is beyond the last of its " + count + " scans, numbered from 0" + damage);
+    if (stamp_) complain(fmt::format("is the stamp of none of its {} scans{}", num_scans, damage));
+    complain(
+        fmt::format("is beyond the last of its {} scans, numbered from 0{}", num_scans, damage));
   }
 
  private:
   [[noreturn]] void complain(const std::string& reason) const {
-    throw Error(log_path_ + ": scan " + text_ + " " + reason);
+    throw Error(fmt::format("{}: scan {} {}", log_path_, text_, reason));
   }
 
   std::string log_path_;

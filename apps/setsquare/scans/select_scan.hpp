@@ -20,9 +20,9 @@ struct SelectedScan {
 
 /// Reads the wanted scans of a log, in the order of `wanted`, in one pass that ends with the last
 /// one found. Each is an index (0 = first scan) or, when written with a decimal point, a stamp; the
-/// first scan with that stamp is meant, to the microsecond. What was damaged up to there is told on
-/// standard error. Throws FileError or FormatError (the log), Error naming the log and the index or
-/// stamp that is not in it or is no number, and the damage where there is some.
+/// first scan with that stamp is meant, to the microsecond. What was damaged up to there is
+/// reported on standard error. Throws FileError or FormatError (the log), Error naming the log and
+/// the index or stamp that is not in it or is no number, and the damage where there is some.
 [[nodiscard]] std::vector<SelectedScan> select_scans(const std::string& log_path,
                                                      std::span<const std::string> wanted,
                                                      const LogOptions& options = {});

@@ -1,105 +1,97 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/simulate/options.hpp"
+#include "apps/setsquare/command_line/options.hpp"
 
 #include <CLI/Option.hpp>
-#include <CLI/TypeTools.hpp>
-#include <CLI/Validators.hpp>
-#include <cmath>
+#include <cstdint>
+#include <limits>
 
+#include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/core/angle.hpp"
-#include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
 namespace setsquare::app {
 namespace {
-
-/// Refuses what is not a finite number above 0, in plain words.
-CLI::Validator above_zero() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        double value = 0.0;
-        const bool is_number = CLI::detail::lexical_cast(text, value);
-        const bool is_good = is_number && value > 0.0 && std::isfinite(value);
-        return is_good ? std::string() : text + " is not a number above 0";
-      },
-      "");
-}
-
-/// CLI11 would read -1 as the largest number there is.
-CLI::Validator no_minus() {
-  return CLI::Validator(
-      [](const std::string& text) {
-        return text.starts_with('-') ? text + " is below 0" : std::string();
-      },
-      "");
-}
 
 void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
   CLI::Option* const building =
       subcommand
           .add_option("--building",
                       options.building,
-                      "Kind of building: office (default), hall, wings, corridor, round; paper and "
-                      "hallway: like those of Bando et al. 2014")
-          ->check(
-              CLI::IsMember({"office", "hall", "wings", "corridor", "round", "paper", "hallway"})
-                  .description(""))
-          ->type_name("NAME");
-  subcommand
-      .add_option(
-          "--seed", options.seed, "Another number, another building and another run (default: 1)")
-      ->check(no_minus());
+                      "Kind of building; paper and hallway: like those of Bando et al. 2014")
+          ->transform(one_of({"office", "hall", "wings", "corridor", "round", "paper", "hallway"}))
+          ->type_name("office|hall|wings|corridor|round|paper|hallway");
+  subcommand.add_option("--seed", options.seed, "Another number: another building and another run")
+      ->check(whole_number(0, std::numeric_limits<std::uint64_t>::max()))
+      ->type_name("N");
   CLI::Option* const plan =
       subcommand
-          .add_option("--plan",
-                      options.plan_path,
-                      "A floor plan instead: .svg, or the .yaml of a map (map_server)")
+          .add_option(
+              "--plan",
+              options.plan_path,
+              "Instead of --building: a floor plan, .svg or the .yaml of a map (map_server)")
+          ->type_name("FILE")
           ->excludes(building);
   subcommand
-      .add_option("--route",
-                  options.route,
-                  "The way through it, \"x,y x,y ...\" in m; an SVG may hold it as the line with "
-                  "id=\"route\"")
+      .add_option(
+          "--route",
+          options.route,
+          "With --plan: the way through it, \"x,y x,y ...\" in m; an SVG may hold it as the "
+          "line with id=\"route\"")
+      ->type_name("POINTS")
       ->needs(plan);
-  subcommand.add_option("--plan-scale", options.m_per_unit, "Metres that an SVG's unit stands for")
-      ->check(above_zero())
+  subcommand
+      .add_option(
+          "--plan-scale", options.m_per_unit, "With --plan: metres that an SVG's unit stands for")
+      ->check(number_above(0.0))
+      ->type_name("M")
       ->needs(plan);
-  subcommand.add_flag("!--no-people", options.has_people, "Nobody stands or walks around");
+  subcommand.add_flag_callback(
+      "--no-people", [&options] { options.has_people = false; }, "Nobody stands or walks around");
 }
 
 void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
   subcommand
       .add_option("--scanner",
                   options.scanner,
-                  "utm-30lx (default: 1081 beams over 270 deg, 30 m) or low-cost-360 (about 360 "
-                  "beams around, 8 m)")
-      ->check(CLI::IsMember({"utm-30lx", "low-cost-360"}).description(""))
-      ->type_name("NAME");
-  subcommand.add_option("--field-of-view", options.field_of_view_deg, "Degrees that a scan covers");
+                  "utm-30lx: 1081 beams over 270 deg, 30 m; low-cost-360: about 360 beams around, "
+                  "8 m")
+      ->transform(one_of({"utm-30lx", "low-cost-360"}))
+      ->type_name("utm-30lx|low-cost-360");
+  subcommand.add_option("--field-of-view", options.field_of_view_deg, "Angle that a scan covers")
+      ->check(number_above(0.0, 360.0))
+      ->type_name("DEG")
+      ->default_str("the scanner's");
   subcommand.add_option("--beams", options.num_beams, "Beams of a scan, evenly over it")
-      ->check(no_minus());
+      ->check(whole_number(2, kMaxBeams))
+      ->type_name("N")
+      ->default_str("the scanner's");
 }
 
 void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
-  subcommand
-      .add_option("--speed", options.speed.drive_m_per_s, "Of the robot, in m/s (default: 0.5)")
-      ->check(above_zero());
+  subcommand.add_option("--speed", options.speed.drive_m_per_s, "Of the robot, in m/s")
+      ->check(number_above(0.0))
+      ->type_name("M/S");
   CLI::Option* const rate =
-      subcommand.add_option("--rate", options.scans_per_s, "Scans a second (default: 10)")
-          ->check(above_zero());
-  CLI::Option* const every =
-      subcommand
-          .add_option("--every",
-                      options.every_m,
-                      "Instead: a scan whenever the robot has moved this far, in m, or turned by "
-                      "--every-angle")
-          ->check(above_zero())
-          ->excludes(rate);
-  subcommand.add_option("--every-angle", options.every_deg, "In degrees (default: 10)")
-      ->check(above_zero())
+      subcommand.add_option("--rate", options.scans_per_s, "Scans per second")
+          ->check(number_above(0.0))
+          ->type_name("HZ");
+  CLI::Option* const every = subcommand
+                                 .add_option("--every",
+                                             options.every_m,
+                                             "Instead of --rate: a scan whenever the robot has "
+                                             "moved this far, or turned by --every-angle")
+                                 ->check(number_above(0.0))
+                                 ->type_name("M")
+                                 ->excludes(rate);
+  subcommand.add_option("--every-angle", options.every_deg, "With --every: the turn")
+      ->check(number_above(0.0))
+      ->type_name("DEG")
       ->needs(every);
-  subcommand.add_flag("!--no-odometry-drift", options.has_drift, "Wheels that measure the truth");
+  subcommand.add_flag_callback(
+      "--no-odometry-drift",
+      [&options] { options.has_drift = false; },
+      "Wheels that measure the truth");
 }
 
 }  // namespace
@@ -107,6 +99,7 @@ void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
 void add_simulate_options(CLI::App& subcommand, SimulateOptions& options) {
   subcommand
       .add_option("-o,--output", options.output_path, "Directory for the results; made if absent")
+      ->type_name("DIR")
       ->required();
   add_world_options(subcommand, options);
   add_scanner_options(subcommand, options);
@@ -117,9 +110,6 @@ ScannerModel scanner_from(const SimulateOptions& options) {
   ScannerModel scanner = options.scanner == "low-cost-360" ? low_cost_360() : utm_30lx();
   if (options.field_of_view_deg) {
     scanner = with_field_of_view(scanner, rad_from_deg(*options.field_of_view_deg));
-  }
-  if (options.num_beams > std::size_t{kMaxBeams}) {
-    throw Error("--beams: at most " + std::to_string(kMaxBeams));
   }
   if (options.num_beams) scanner = with_num_beams(scanner, *options.num_beams);
   return scanner;

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/simulate/picture.hpp"
-
 #include <algorithm>
 #include <array>
 #include <Eigen/Geometry>
 #include <limits>
 #include <vector>
 
+#include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/drawing/svg_canvas.hpp"
 #include "setsquare/report/nice_number.hpp"
 #include "setsquare/report/palette.hpp"

@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/simulate/run.hpp"
+#include <fmt/core.h>
 
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "apps/setsquare/progress_bar.hpp"
-#include "apps/setsquare/simulate/world.hpp"
+#include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/carmen/writer.hpp"
@@ -30,13 +29,9 @@ void require_holdable(double num_scans) {
 /// Times at a fixed rate while the robot is under way.
 std::vector<double> times_at_rate(const RobotPath& path, double scans_per_s, double sweep_s) {
   if (sweep_s * scans_per_s > 1.0 + 1e-9) {
-    char text[120];
-    std::snprintf(text,
-                  sizeof text,
-                  "--rate: the scanner sweeps for %g s, so at most %g scans a second",
-                  sweep_s,
-                  1.0 / sweep_s);
-    throw Error(text);
+    throw Error(fmt::format("--rate: the scanner sweeps for {:g} s, so at most {:g} scans a second",
+                            sweep_s,
+                            1.0 / sweep_s));
   }
   const double last = std::floor(path.duration_s() * scans_per_s + 1e-9);
   require_holdable(last + 1.0);

@@ -1,21 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare simulate -o DIR`: the log of a robot in a made-up building, and the truth about it.
+#include "apps/setsquare/simulate/simulate.hpp"
+
+#include <fmt/core.h>
+
 #include <chrono>
 #include <CLI/App.hpp>
-#include <cstdio>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
 
-#include "apps/setsquare/outputs/output_directory.hpp"
-#include "apps/setsquare/simulate/options.hpp"
-#include "apps/setsquare/simulate/picture.hpp"
-#include "apps/setsquare/simulate/run.hpp"
-#include "apps/setsquare/simulate/world.hpp"
+#include "apps/setsquare/outputs/output_set.hpp"
 #include "apps/setsquare/subcommands.hpp"
-#include "setsquare/core/save_file.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
 
 namespace setsquare::app {
@@ -25,36 +23,37 @@ std::string name_of_world(const SimulateOptions& options) {
   if (!options.plan_path.empty()) {
     return std::filesystem::path(options.plan_path).filename().string();
   }
-  return options.building + ", seed " + std::to_string(options.seed);
+  return fmt::format("{}, seed {}", options.building, options.seed);
 }
 
 void tell(const SimulateOptions& options, const SimulatedRun& run, double elapsed_s) {
-  char line[300];
-  std::snprintf(line,
-                sizeof line,
-                "%s: %zu scans of %zu beams, %.0f m driven in %.0f s; %.0f %% of the returns from "
-                "furniture, clutter and people\nsimulated in %.2f s (%.0f us a scan)\n",
-                name_of_world(options).substr(0, 80).c_str(),
-                run.truth.size(),
-                run.num_beams,
-                run.length_m,
-                run.duration_s,
-                100.0 * run.clutter_share,
-                elapsed_s,
-                1e6 * elapsed_s / static_cast<double>(run.truth.size()));
-  std::cout << line << "written: " << options.output_path << "/scans.clf, truth.tum, plan.svg\n";
+  std::cout << fmt::format(
+      "{}: {} scans of {} beams, {:.0f} m driven in {:.0f} s; {:.0f} % of the returns from "
+      "furniture, clutter and people\nsimulated in {:.2f} s ({:.0f} us per scan)\n"
+      "written: {}/scans.clf, truth.tum, plan.svg\n",
+      name_of_world(options),
+      run.truth.size(),
+      run.num_beams,
+      run.length_m,
+      run.duration_s,
+      100.0 * run.clutter_share,
+      elapsed_s,
+      1e6 * elapsed_s / static_cast<double>(run.truth.size()),
+      options.output_path);
 }
 
 void simulate(const SimulateOptions& options) {
   using Clock = std::chrono::steady_clock;
-  const OutputDirectory directory(options.output_path);
+  OutputSet outputs(
+      options.output_path, {"scans.clf", "truth.tum", "plan.svg"}, files_of_world(options));
   const Building world = world_from(options);
   const auto start = Clock::now();
   const SimulatedRun run = run_simulation(world, options);
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-  save_file(directory.file("scans.clf"), run.log);
-  write_trajectory_tum(directory.file("truth.tum"), run.truth);
-  save_file(directory.file("plan.svg"), plan_picture(world, run.truth, name_of_world(options)));
+  outputs.add("scans.clf", run.log);
+  outputs.add("truth.tum", tum_from_trajectory(run.truth));
+  outputs.add("plan.svg", plan_picture(world, run.truth, name_of_world(options)));
+  outputs.commit();
   tell(options, run, elapsed_s);
 }
 
@@ -69,7 +68,7 @@ void add_simulate(CLI::App& application) {
       "Writes scans.clf (CARMEN: ROBOTLASER1, and TRUEPOS before each), truth.tum (the robot's "
       "true\n"
       "pose at each scan, in the middle of the sweep) and plan.svg (the building and the way).\n"
-      "The same options give the same files.\n"
+      "The same options give the same files; all of them come at the end, or none.\n"
       "In an SVG plan the map's x is the drawing's x and the map's y its y turned up (-y), times\n"
       "--plan-scale; a class or data-material of wall, door, glass, pillar, furniture or clutter\n"
       "tells what a shape or a group is made of.\n"

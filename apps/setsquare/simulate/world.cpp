@@ -1,18 +1,19 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/simulate/world.hpp"
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <utility>
 
+#include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/byte_source.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
+#include "setsquare/io/maps/map_yaml.hpp"
 #include "setsquare/io/tables/text_scanner.hpp"
 #include "setsquare/sim/floor_plan_from_cells.hpp"
 #include "setsquare/sim/svg/floor_plan_svg.hpp"
@@ -47,17 +48,21 @@ FloorPlan plan_from_grid(const OccupancyGrid& grid) {
   return floor_plan_from_cells(cells);
 }
 
+bool is_map_yaml(const std::string& path) {
+  const std::string extension = std::filesystem::path(path).extension().string();
+  return extension == ".yaml" || extension == ".yml";
+}
+
 Building world_from_plan(const SimulateOptions& options) {
   const std::string& path = options.plan_path;
-  const std::string extension = std::filesystem::path(path).extension().string();
   Building world;
-  if (extension == ".svg") {
+  if (std::filesystem::path(path).extension() == ".svg") {
     SvgPlanParams params;
     params.m_per_unit = options.m_per_unit;
     SvgPlan svg = floor_plan_from_svg(text_of(path), path, params);
     world.plan = std::move(svg.plan);
     world.route_m = std::move(svg.route_m);
-  } else if (extension == ".yaml" || extension == ".yml") {
+  } else if (is_map_yaml(path)) {
     world.plan = plan_from_grid(read_map_pgm_yaml(path));
     if (world.plan.segments.empty()) throw FormatError(path, "", "not one occupied cell");
   } else {
@@ -91,8 +96,8 @@ std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
     const auto x_m = scanner.finite_number();
     const auto y_m = x_m ? scanner.finite_number() : std::nullopt;
     if (!y_m || std::max(std::abs(*x_m), std::abs(*y_m)) > kFarthest_m) {
-      throw Error("--route: point " + std::to_string(route_m.size() + 1) +
-                  " is not \"x,y\" in m, within 10 km");
+      throw Error(
+          fmt::format("--route: point {} is not \"x,y\" in m, within 10 km", route_m.size() + 1));
     }
     route_m.emplace_back(*x_m, *y_m);
   }
@@ -106,6 +111,16 @@ Building world_from(const SimulateOptions& options) {
   return world;
 }
 
+InputPaths files_of_world(const SimulateOptions& options) {
+  if (options.plan_path.empty()) return {};
+  InputPaths files{options.plan_path};
+  if (!is_map_yaml(options.plan_path)) return files;
+  const std::string text = text_of(options.plan_path);
+  const std::filesystem::path folder = std::filesystem::path(options.plan_path).parent_path();
+  files.push_back((folder / map_yaml_from_text(text, options.plan_path).image).string());
+  return files;
+}
+
 void require_free_route(const RayCaster& caster, const std::vector<Eigen::Vector2d>& route_m) {
   for (std::size_t i = 1; i < route_m.size(); ++i) {
     const Eigen::Vector2d way_m = route_m[i] - route_m[i - 1];
@@ -115,14 +130,8 @@ void require_free_route(const RayCaster& caster, const std::vector<Eigen::Vector
     const auto hit = caster.cast(route_m[i - 1], direction, length_m);
     if (!hit) continue;
     const Eigen::Vector2d place_m = route_m[i - 1] + hit->range_m * direction;
-    char text[100];
-    std::snprintf(text,
-                  sizeof text,
-                  "the route leads through a wall at %.2f,%.2f (piece %zu)",
-                  place_m.x(),
-                  place_m.y(),
-                  i);
-    throw Error(text);
+    throw Error(fmt::format(
+        "the route leads through a wall at {:.2f},{:.2f} (piece {})", place_m.x(), place_m.y(), i));
   }
 }
 

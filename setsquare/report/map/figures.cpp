@@ -1,5 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <string>
 
 #include "setsquare/core/angle.hpp"
@@ -8,12 +10,6 @@
 
 namespace setsquare {
 namespace {
-
-std::string text_from(double value, int num_decimals) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%.*f", num_decimals, value);
-  return text;
-}
 
 class Figures {
  public:
@@ -44,7 +40,7 @@ void add_track_figures(const MapSummary& summary, std::size_t num_with_odometry,
       "with odometry",
       num_with_odometry,
       "Scans whose motion the robot's wheels told, too; they are a witness, not the truth.");
-  figures.add("Track", "way", text_from(summary.path_m, 1), "m");
+  figures.add("Track", "way", fmt::format("{:.1f}", summary.path_m), "m");
   figures.add("Track", "keyframes", summary.num_keyframes, "Scans that the map is built of.");
   figures.add("Track",
               "degenerate",
@@ -84,18 +80,18 @@ void add_building_figures(const Map& map, const MapSummary& summary, Figures& fi
   for (const BuildingFrame& frame : map.frames) {
     figures.add("Building",
                 "walls at",
-                text_from(deg_from_rad(frame.offset_rad), 2),
+                fmt::format("{:.2f}", deg_from_rad(frame.offset_rad)),
                 "deg",
                 "A direction, modulo 90 degrees, along which walls run.");
   }
   figures.add("Building",
               "way in bare corridors",
-              text_from(summary.open_m, 1),
+              fmt::format("{:.1f}", summary.open_m),
               "m",
               "Where no scan determines the motion along the corridor.");
   figures.add("Building",
               "their length is known to",
-              text_from(summary.worst_length_sigma_m, 2),
+              fmt::format("{:.2f}", summary.worst_length_sigma_m),
               "m",
               "Standard deviation of the least certain of them, given odometry and closures.");
 }

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// The two ways of `setsquare match`: two scans, or the pairs of a relations file.
 #pragma once
 
 #include <string>
@@ -21,5 +22,17 @@ struct MatchOneOptions {
 
 /// Matches two scans of a log and prints the answer with its evidence.
 void match_one(const MatchOneOptions& options);
+
+struct MatchPairsOptions {
+  std::string log_path;
+  LogOptions log;
+  std::string relations_path;
+  std::string output_path;  ///< "-" for standard output.
+  Preset preset = Preset::kDefault;
+};
+
+/// Matches the two scans of every relation, from raw ranges each time. Writes a table with one line
+/// per relation, and to standard error a summary against the relations.
+void match_pairs(const MatchPairsOptions& options);
 
 }  // namespace setsquare::app
