@@ -3,7 +3,8 @@
 
 # Installs the layers as a package: find_package(setsquare) gives setsquare::core, setsquare::scan,
 # setsquare::matching ...; find_package(setsquare COMPONENTS matching) demands no more of the
-# machine than those layers need. Headers keep their path below include/setsquare.
+# machine than those layers need. Only the public headers are installed (HEADERS of each layer in
+# setsquare/CMakeLists.txt); they keep their path below include/setsquare.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -11,13 +12,8 @@ get_property(setsquare_layers GLOBAL PROPERTY SETSQUARE_LAYERS)
 install(
   TARGETS ${setsquare_layers}
   EXPORT setsquare-targets
-  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library)
-install(
-  DIRECTORY "${PROJECT_SOURCE_DIR}/setsquare/"
-  DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/setsquare"
-  COMPONENT library
-  FILES_MATCHING
-  PATTERN "*.hpp")
+  ARCHIVE DESTINATION "${CMAKE_INSTALL_LIBDIR}" COMPONENT library
+  FILE_SET HEADERS DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" COMPONENT library)
 
 set(setsquare_package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/setsquare")
 install(

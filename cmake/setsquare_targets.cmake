@@ -55,19 +55,22 @@ function(setsquare_set_unity target)
                                              UNITY_BUILD_BATCH_SIZE 12)
 endfunction()
 
-# setsquare_add_layer(NAME [SOURCES a.cpp ...] DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
-# One library a layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
-# which are made by the build. DEPENDS names the layers that it may include.
+# setsquare_add_layer(NAME [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
+#                     [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# One library per layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
+# which are made by the build. HEADERS, below the folder, are the public ones: they alone are
+# installed. DEPENDS names the layers that it may include.
 function(setsquare_add_layer name)
-  cmake_parse_arguments(arg "" "" "SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
+                        ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
        "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
   add_library(setsquare_${name} STATIC ${sources} ${arg_SOURCES})
   add_library(setsquare::${name} ALIAS setsquare_${name})
   set_target_properties(setsquare_${name} PROPERTIES EXPORT_NAME ${name})
-  target_include_directories(
-    setsquare_${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
-                             $<INSTALL_INTERFACE:include>)
+  list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${name}/")
+  target_sources(setsquare_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES
+                                          ${arg_HEADERS})
   target_compile_features(setsquare_${name} PUBLIC cxx_std_20)
   list(TRANSFORM arg_DEPENDS PREPEND setsquare::)
   target_link_libraries(

@@ -10,6 +10,7 @@
 #include "experiments/simulated_run.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/sim/pairs/pair_geometry.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare::experiments {
 namespace {

@@ -7,6 +7,7 @@
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
 #include "setsquare/sim/pairs/pair_geometry.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare::experiments {
 namespace {

@@ -12,6 +12,7 @@
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare::experiments {
 namespace {

@@ -11,6 +11,7 @@
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/alignment.hpp"
 #include "setsquare/surfaces/correlation_grid.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare::benchmarks {
 namespace {

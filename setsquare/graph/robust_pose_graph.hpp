@@ -12,6 +12,7 @@
 
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/graph/robust_params.hpp"
 
 namespace setsquare {
 /// Where odometry alone says that the nodes are, and how well it knows.
@@ -29,18 +30,6 @@ class DeadReckoning {
   std::vector<Eigen::Vector2d> positions_m_;     ///< Of node k in the frame of its piece.
   std::vector<Eigen::Matrix2d> covariances_m2_;  ///< Summed up from the piece's first node.
   std::vector<std::size_t> first_of_piece_;
-};
-
-struct RobustPoseGraphParams {
-  /// Squared error beyond which a closure that binds both axes is taken for wrong: chi-squared of
-  /// two degrees of freedom. One that binds a single axis has the threshold that chi-squared of one
-  /// degree exceeds as rarely (12.9 for 16; one right closure in 3000).
-  double max_squared_error = 16.0;
-  double mu_growth = 1.4;   ///< Factor from step to step of the graduation: mu grows by it.
-  int max_iterations = 60;  ///< Of a graduation; the step is longer where it would need more.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
 };
 
 /// Weights of the loop closures and positions of the nodes, headings as they are: truncated least

@@ -5,26 +5,10 @@
 #include <cstddef>
 #include <vector>
 
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/headings/trace.hpp"
 
 namespace setsquare {
-
-/// Parameters of find_heading_frames.
-struct HeadingFramesParams {
-  /// A smaller jump that is not soon undone is no change of frame, but a slip of tracking.
-  double min_separation_rad = rad_from_deg(14.0);
-  std::size_t max_excursion = 60;             ///< Keyframes until which a jump is undone soon.
-  double same_frame_rad = rad_from_deg(4.0);  ///< A frame seen again comes out this near.
-  double min_slip_rad = rad_from_deg(2.5);    ///< A smaller jump is noise of the trace.
-  /// Keyframes, each counted by its confidence, that a piece of the trace needs to tell anything
-  /// ...
-  double min_support = 8.0;
-  /// ... and their share of all its keyframes. Where no piece has both, the best supported tells.
-  double min_share = 0.25;
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// A part of a building whose walls are square to each other: a wing.
 struct HeadingFrame {

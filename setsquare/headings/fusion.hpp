@@ -7,6 +7,7 @@
 
 #include "setsquare/headings/evidence.hpp"
 #include "setsquare/headings/frames.hpp"
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/headings/trace.hpp"
 
 namespace setsquare {
@@ -28,21 +29,6 @@ struct AssignedProposal {
     double period_rad,
     double gate_rad,
     double building_sigma_rad);
-
-/// Parameters of fuse_headings. Angles in rad.
-struct HeadingFusionParams {
-  HeadingTraceParams trace = {};
-  HeadingFramesParams frames = {};
-  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, beside its own sigma.
-  double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
-  int num_iterations = 30;                ///< Of reweighting.
-  /// Neighbouring keyframes see the same walls and err alike: as many of them count as one
-  /// measurement in the standard deviations.
-  double num_alike = 6.0;
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// The headings after fusion, one value a keyframe unless it says otherwise. The map's axes are
 /// those of the main frame of the building.

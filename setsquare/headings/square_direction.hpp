@@ -5,29 +5,11 @@
 #include <cstddef>
 #include <vector>
 
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/headings/straight_pieces.hpp"
 #include "setsquare/scan/point_set.hpp"
 
 namespace setsquare {
-
-/// Parameters of square_directions. Angles in rad.
-struct SquareDirectionParams {
-  StraightPieceParams pieces = {};
-  std::size_t max_num_peaks = 3;       ///< Directions proposed.
-  double min_separation_rad = 0.0873;  ///< Between two of them (5 deg).
-  double density_width_rad = 0.0122;   ///< Standard deviation that smooths the pieces' directions.
-  double min_rms_m = 0.006;            ///< A line's points are never trusted more than this.
-  double wall_sigma_rad = 0.002;       ///< How far walls of one building are from square.
-  double inlier_rad = 0.06;            ///< Scale at which a piece's weight has fallen to 1/4.
-  double min_pair_distance_m = 0.5;    ///< Along the wall, between two pieces of one line.
-  double pair_sigma_m = 0.01;          ///< Of the offset between two pieces of one line.
-  double pair_inlier_m = 0.06;         ///< Offset at which a pair's weight has fallen to 1/4.
-  double pair_weight = 3.0;            ///< Of a pair, beside a piece of the same precision.
-  std::size_t max_num_paired = 64;     ///< Pieces that are paired, the longest.
-
-  /// Throws ParameterError where a field is outside its domain.
-  void validate() const;
-};
 
 /// A direction, modulo 90 deg, along and across which a scan's walls run.
 struct SquareDirection {

@@ -5,20 +5,10 @@
 #include <cstdint>
 #include <vector>
 
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/scan/point_set.hpp"
 
 namespace setsquare {
-
-/// Parameters of straight_pieces.
-struct StraightPieceParams {
-  double max_gap_m = 0.2;      ///< Neighbouring returns further apart may part two surfaces.
-  double max_gap_beams = 8.0;  ///< Nor nearer than this many steps of the beams' fan there.
-  std::int32_t max_skipped_beams = 2;  ///< Beams without a return inside a piece.
-  double min_tolerance_m = 0.05;       ///< Furthest that a point may lie off its piece ...
-  double max_tolerance_m = 0.15;       ///< ... in between: this many times the scan's noise.
-  double tolerance_per_noise = 4.0;    ///< Noise as surface_noise_m measures it.
-  std::int32_t min_num_points = 3;     ///< Of a piece.
-};
 
 /// A run of neighbouring returns on one straight line, fitted by total least squares.
 struct StraightPiece {

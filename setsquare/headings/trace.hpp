@@ -6,26 +6,9 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/headings/evidence.hpp"
+#include "setsquare/headings/heading_params.hpp"
 
 namespace setsquare {
-
-/// Parameters of trace_headings. Costs are in keyframes: passing by a proposal of full confidence
-/// costs 1.
-struct HeadingTraceParams {
-  double period_rad = 0.5 * kPi;          ///< Of the proposals.
-  double bin_rad = rad_from_deg(0.5);     ///< Of the offset; divides the period.
-  double inlier_rad = rad_from_deg(2.0);  ///< A proposal this far off tells nothing.
-  double drift_cost = 0.25;               ///< Of drift, for each standard deviation of the step.
-  double min_step_sigma_rad = rad_from_deg(0.15);  ///< No step is more certain than this.
-  /// A move beyond as many standard deviations, and beyond min_change_rad, is no drift whatever it
-  /// costs: where one scan was lost the walls may turn by 45 deg, but the robot unseen may not.
-  double max_drift_sigmas = 4.0;
-  double min_change_rad = rad_from_deg(10.0);
-  double change_cost = 6.0;  ///< Of a change of frame, however large.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// What trace_headings found, one value a keyframe.
 struct HeadingTrace {

@@ -7,11 +7,17 @@
 #include <utility>
 
 #include "setsquare/graph/linear_pose_graph.hpp"
+#include "setsquare/graph/robust_pose_graph.hpp"
+#include "setsquare/headings/fusion.hpp"
 #include "setsquare/headings/proposals.hpp"
 #include "setsquare/mapping/kept_scans.hpp"
+#include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/pieces/piece_joining.hpp"
+#include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
+#include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/scan_tracker.hpp"
 
 namespace setsquare {

@@ -1,19 +1,109 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Parameters of the mapper and of its steps, in their order.
 #pragma once
 
 #include <cstddef>
 
-#include "setsquare/graph/robust_pose_graph.hpp"
-#include "setsquare/headings/fusion.hpp"
-#include "setsquare/headings/square_direction.hpp"
-#include "setsquare/mapping/loops/loop_closer.hpp"
-#include "setsquare/mapping/pieces/piece_joining.hpp"
-#include "setsquare/mapping/registration.hpp"
-#include "setsquare/tracking/motion_uncertainty.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/graph/robust_params.hpp"
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 
 namespace setsquare {
+
+/// Parameters of ClosureCandidates.
+struct ClosureCandidateParams {
+  double radius_m = 4.0;           ///< Views farther apart hardly overlap.
+  double min_way_m = 5.0;          ///< Tracking has compared what is nearer along the track.
+  std::size_t max_num = 4;         ///< A station.
+  std::size_t min_separation = 4;  ///< Stations between two candidates of one station.
+  /// The window is so much ...
+  double window_m = 0.3;
+  double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
+  double max_window_m = 6.0;       ///< At most: of which correlation grids are capable.
+  double slip_way = 50.0;          ///< What a motion may have slipped counts as so many times way.
+  double closure_way_m = 1.0;      ///< Length of a closure in the graph.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of match_submaps.
+struct SubmapMatchParams {
+  int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
+  std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
+  double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
+  double max_lag = 0.4;  ///< After one step, in score and in agreement: who lags more is dropped.
+  AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
+  AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
+  int num_catching_steps = 4;
+  int num_settling_steps = 6;
+  /// Weight of the expected rotation, in points x m^2: the fused headings are better than a few
+  /// far points.
+  double heading_weight = 2000.0;
+  double contradiction_weight = 2.0;  ///< In the score.
+  double min_compared = 0.3;          ///< The score is a share of at least so much of the points.
+  double distinct_m = 0.4;            ///< Poses nearer than this to each other are the same.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// What decides whether two submaps that were matched close a loop.
+struct ClosureVerdictParams {
+  double min_score = 0.35;
+  double max_contradiction = 0.10;
+  double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
+  double min_effective_points = 10.0;  ///< Along the open direction; below, it is left open.
+  double max_open_share = 0.2;         ///< Of a direction that is left open, in all points.
+  double max_rival_rad = 0.3;          ///< A rival so nearly along the open direction is none.
+  double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of LoopCloser.
+struct LoopCloserParams {
+  std::size_t station_spacing = 3;    ///< Keyframes from station to station ...
+  std::size_t submap_half_width = 3;  ///< ... and to either side of one in its submap.
+  ClosureCandidateParams candidates;
+  SubmapMatchParams match;
+  ClosureVerdictParams verdict;
+  /// How much a point tells: its own noise, and that of its neighbours, which is much the same.
+  double point_sigma_m = 0.10;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of join_pieces.
+struct PieceJoiningParams {
+  std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
+  std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
+  double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
+  std::size_t min_agreeing = 3;             ///< Places that must tell the same ...
+  double agreeing_m = 0.5;                  ///< ... as to where the piece lies ...
+  double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of register_keyframes.
+struct RegistrationParams {
+  int num_rounds = 2;
+  std::size_t num_before = 4;    ///< Keyframes just before it that each is compared with.
+  std::size_t max_revisits = 6;  ///< And so many of earlier visits, by accepted closures.
+  AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
+  double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
+  double max_contradicted = 0.15;  ///< Of the points compared.
+  double point_sigma_m = 0.10;     ///< As in LoopCloserParams.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
 
 /// Parameters of the mapper; every default works.
 struct MapperParams {

@@ -5,8 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "setsquare/surfaces/surface_points.hpp"
-#include "setsquare/surfaces/surface_samples.hpp"
+#include "setsquare/surfaces/surface_params.hpp"
 
 namespace setsquare {
 

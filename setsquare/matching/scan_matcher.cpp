@@ -7,6 +7,8 @@
 
 #include "setsquare/matching/answer.hpp"
 #include "setsquare/matching/candidates.hpp"
+#include "setsquare/matching/trace.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 namespace {

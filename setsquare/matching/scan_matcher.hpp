@@ -3,12 +3,13 @@
 #pragma once
 
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/trace.hpp"
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/scan.hpp"
-#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
+
+struct MatchTrace;    // setsquare/matching/trace.hpp
+struct PreparedScan;  // setsquare/surfaces/prepared_scan.hpp, with prepare()
 
 /// Relative pose of two scans, of which nothing is known: p_reference = T_reference_current *
 /// p_current, in the sensors' frames. Uses the ranges and nothing else: no stamp, no mounting, no

@@ -8,6 +8,7 @@
 
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/surfaces/lanes.hpp"
+#include "setsquare/surfaces/surface_params.hpp"
 #include "setsquare/surfaces/surface_points.hpp"
 
 namespace setsquare {
@@ -31,11 +32,7 @@ class SurfaceImage {
   /// Offset of a sector without a surface: every point lies far behind it.
   static constexpr float kNoSurface_m = 1e9F;
 
-  struct Params {
-    double no_return_free_m = 6.0;    ///< A beam without return proves free space up to here.
-    double free_margin_m = 0.20;      ///< Nothing is called free nearer than this to a return ...
-    double free_margin_ratio = 0.03;  ///< ... plus this share of the range.
-  };
+  using Params = SurfaceImageParams;
 
   SurfaceImage() = default;
   SurfaceImage(const Scan& scan, const SurfacePoints& points, const Params& params);

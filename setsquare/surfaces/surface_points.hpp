@@ -7,23 +7,9 @@
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/surfaces/surface_params.hpp"
 
 namespace setsquare {
-
-/// How returns are joined to surfaces.
-struct SurfaceParams {
-  double max_range_m = 30.0;        ///< Returns beyond it are not used.
-  double join_distance_m = 0.15;    ///< Neighbours nearer than this belong to one surface ...
-  double join_beam_spacings = 3.0;  ///< ... or nearer than so many beam spacings at their range.
-  double collinear_tolerance_m = 0.04;  ///< Farther neighbours join where four in a row fit a line.
-  double max_join_m = 4.0;              ///< No surface spans a wider gap.
-  double fit_radius_m = 0.30;  ///< The line at a return is fitted to its joined neighbours so near.
-  double max_fit_rms_m = 0.025;  ///< A fit that is worse than this is a corner or clutter.
-  double max_weight_m = 0.20;    ///< A return stands for at most this length of wall.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// The returns of a scan with the surface that each lies on, in the order of the beams. Plain
 /// arrays in the sensor frame, float because the kernels that read them are short of width, not of

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "setsquare/surfaces/surface_params.hpp"
 #include "setsquare/surfaces/surface_points.hpp"
 
 namespace setsquare {
@@ -24,16 +25,6 @@ struct SurfaceSamples {
 
   [[nodiscard]] std::size_t size() const { return count; }
   [[nodiscard]] std::size_t padded_size() const { return x_m.size(); }
-};
-
-/// How many samples stand for a scan.
-struct SampleParams {
-  std::size_t max_coarse = 60;   ///< At most CorrelationGrid::kMaxSamples.
-  std::size_t max_fine = 400;    ///< A few hundred decide as well as all do.
-  std::size_t max_dense = 1200;  ///< More make the pose no better.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
 };
 
 /// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);

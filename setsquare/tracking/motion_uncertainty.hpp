@@ -5,36 +5,10 @@
 #include <Eigen/Core>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
-
-/// How certain tracked motion between neighbouring keyframes is.
-struct MotionUncertaintyParams {
-  double step_sigma_m = 0.004;    ///< Of every step ...
-  double sigma_per_metre = 0.01;  ///< ... and this share of its length.
-  /// Along a direction that the walls left open, the share of the way in which they did.
-  double open_sigma_per_metre = 0.3;
-  double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
-  double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
-  double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
-  double restart_sigma_m = 200.0;                  ///< Of each new start of the submap.
-
-  double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
-  double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
-  double lost_sigma_rad = 0.05;
-  double recovered_sigma_rad = rad_from_deg(1.5);
-  double restart_sigma_rad = 0.5;
-
-  // The same where odometry bridges the gap: a witness.
-  double lost_sigma_m_by_odometry = 0.03;
-  double restart_sigma_m_by_odometry = 0.3;
-  double lost_sigma_rad_by_odometry = rad_from_deg(0.5);
-  double restart_sigma_rad_by_odometry = rad_from_deg(3.0);
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// Covariance of a tracked motion: translation in the odom frame, rotation apart.
 struct MotionCovariance {

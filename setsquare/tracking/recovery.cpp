@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 namespace {

@@ -5,18 +5,9 @@
 #include <optional>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/scan_tracker_params.hpp"
 
 namespace setsquare {
-
-struct ScanGapParams {
-  double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
-  double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
-  double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
-  double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// Tells where a log has a gap: the robot may be anywhere after it, unless it sees what it saw
 /// before. Stamps that run backwards, as those of real logs do, make no gap: a pause counts from

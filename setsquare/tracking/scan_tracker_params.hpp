@@ -6,12 +6,28 @@
 #include <string>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/surfaces/surface_image.hpp"
-#include "setsquare/surfaces/surface_points.hpp"
-#include "setsquare/tracking/scan_gap.hpp"
-#include "setsquare/tracking/submap_alignment.hpp"
+#include "setsquare/surfaces/surface_params.hpp"
 
 namespace setsquare {
+
+/// How point-to-line distances count.
+struct AlignmentScale {
+  double gate_m = 0.15;   ///< Farther points have no part.
+  double scale_m = 0.05;  ///< Distance at which a point's weight has fallen to 1/4 (Geman-McClure).
+
+  /// Throws ParameterError that names the field as one of `owner`.
+  void validate(const std::string& owner) const;
+};
+
+struct ScanGapParams {
+  double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
+  double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
+  double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
+  double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
 
 /// How far a prediction is believed along a direction that the walls leave free.
 struct PredictionTrust {
@@ -73,7 +89,7 @@ struct ScanTrackerParams {
   double keyframe_turn_rad = rad_from_deg(10.0);
   std::size_t num_scans_averaged = 7;  ///< For the last motion.
   SurfaceParams surfaces;
-  SurfaceImage::Params image;
+  SurfaceImageParams image;
   SubmapRefinementParams refinement;
   CorridorSearchParams corridor;
   RecoveryParams recovery;
@@ -85,6 +101,33 @@ struct ScanTrackerParams {
   std::size_t max_lost_scans = 5;
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// How certain tracked motion between neighbouring keyframes is.
+struct MotionUncertaintyParams {
+  double step_sigma_m = 0.004;    ///< Of every step ...
+  double sigma_per_metre = 0.01;  ///< ... and this share of its length.
+  /// Along a direction that the walls left open, the share of the way in which they did.
+  double open_sigma_per_metre = 0.3;
+  double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
+  double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
+  double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
+  double restart_sigma_m = 200.0;                  ///< Of each new start of the submap.
+
+  double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
+  double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
+  double lost_sigma_rad = 0.05;
+  double recovered_sigma_rad = rad_from_deg(1.5);
+  double restart_sigma_rad = 0.5;
+
+  // The same where odometry bridges the gap: a witness.
+  double lost_sigma_m_by_odometry = 0.03;
+  double restart_sigma_m_by_odometry = 0.3;
+  double lost_sigma_rad_by_odometry = rad_from_deg(0.5);
+  double restart_sigma_rad_by_odometry = rad_from_deg(3.0);
 
   /// Throws ParameterError that names the field.
   void validate() const;

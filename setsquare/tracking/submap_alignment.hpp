@@ -11,17 +11,9 @@
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/surfaces/surface_samples.hpp"
 #include "setsquare/tracking/keyframe.hpp"
+#include "setsquare/tracking/scan_tracker_params.hpp"
 
 namespace setsquare {
-
-/// How point-to-line distances count.
-struct AlignmentScale {
-  double gate_m = 0.15;   ///< Farther points have no part.
-  double scale_m = 0.05;  ///< Distance at which a point's weight has fallen to 1/4 (Geman-McClure).
-
-  /// Throws ParameterError that names the field as one of `owner`.
-  void validate(const std::string& owner) const;
-};
 
 /// A scan against a submap at one pose: what agrees, and the normal equations of the point-to-line
 /// distances in (x, y, theta) of T_submap_sensor, summed over the submap's images and divided by

@@ -11,6 +11,7 @@
 #include "setsquare/matching/candidates.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/alignment.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 

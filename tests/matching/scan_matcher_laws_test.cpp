@@ -9,6 +9,7 @@
 #include <Eigen/Eigenvalues>
 
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"

@@ -8,6 +8,8 @@
 #include <limits>
 
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/matching/trace.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"

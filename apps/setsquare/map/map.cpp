@@ -14,7 +14,6 @@
 
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/map/outputs.hpp"
-#include "apps/setsquare/map/report.hpp"
 #include "apps/setsquare/map/run.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"

@@ -8,16 +8,12 @@
 #include "apps/setsquare/map/run.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
-#include "setsquare/grid/occupancy_grid.hpp"
 
 namespace setsquare::app {
 
 /// Every file that `setsquare map` may write, as OutputSet wants them: in the order in which they
 /// come. run.json is the last: where it is, the set is whole. docs/formats.md describes each.
 [[nodiscard]] std::vector<std::string> map_output_names();
-
-/// Adds map.pgm and map.yaml. Throws FileError; ParameterError where the grid is turned.
-void add_map_files(OutputSet& outputs, const OccupancyGrid& grid);
 
 /// Makes and adds everything that a run leaves and commits the set. `clock` has the stages until
 /// now; what is made here becomes stages of it, and all go into timing.json. Throws FileError;

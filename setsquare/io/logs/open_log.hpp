@@ -5,10 +5,11 @@
 #include <memory>
 #include <string>
 
-#include "setsquare/io/logs/byte_source.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 
 namespace setsquare {
+
+class ByteSource;  // setsquare/io/logs/byte_source.hpp
 
 /// Opens a log, plain or gzip, "-" for standard input. The format is recognised by content.
 /// Throws FileError (no such file, a directory, not permitted), FormatError (empty, or no log that

@@ -11,6 +11,8 @@
 #include <utility>
 #include <vector>
 
+#include "setsquare/mapping/mapper_params.hpp"
+
 namespace setsquare {
 /// Things by their position, in square cells: finds those around a place without looking at the
 /// others.
@@ -48,23 +50,6 @@ class PositionHash {
 
   double cell_m_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
-};
-
-/// Parameters of ClosureCandidates.
-struct ClosureCandidateParams {
-  double radius_m = 4.0;           ///< Views farther apart hardly overlap.
-  double min_way_m = 5.0;          ///< Tracking has compared what is nearer along the track.
-  std::size_t max_num = 4;         ///< A station.
-  std::size_t min_separation = 4;  ///< Stations between two candidates of one station.
-  /// The window is so much ...
-  double window_m = 0.3;
-  double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
-  double max_window_m = 6.0;       ///< At most: of which correlation grids are capable.
-  double slip_way = 50.0;          ///< What a motion may have slipped counts as so many times way.
-  double closure_way_m = 1.0;      ///< Length of a closure in the graph.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
 };
 
 /// A pair of places that may be the same.

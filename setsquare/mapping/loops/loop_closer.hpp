@@ -10,22 +10,9 @@
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/loops/candidates.hpp"
 #include "setsquare/mapping/loops/verdict.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 
 namespace setsquare {
-
-/// Parameters of LoopCloser.
-struct LoopCloserParams {
-  std::size_t station_spacing = 3;    ///< Keyframes from station to station ...
-  std::size_t submap_half_width = 3;  ///< ... and to either side of one in its submap.
-  ClosureCandidateParams candidates;
-  SubmapMatchParams match;
-  ClosureVerdictParams verdict;
-  /// How much a point tells: its own noise, and that of its neighbours, which is much the same.
-  double point_sigma_m = 0.10;
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// Finds where the track comes back to places it has seen.
 ///

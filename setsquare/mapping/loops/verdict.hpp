@@ -9,22 +9,9 @@
 #include "setsquare/core/loop_closure.hpp"
 #include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/mapping/loops/submap_matcher.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 
 namespace setsquare {
-/// What decides whether two submaps that were matched close a loop.
-struct ClosureVerdictParams {
-  double min_score = 0.35;
-  double max_contradiction = 0.10;
-  double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
-  double min_effective_points = 10.0;  ///< Along the open direction; below, it is left open.
-  double max_open_share = 0.2;         ///< Of a direction that is left open, in all points.
-  double max_rival_rad = 0.3;          ///< A rival so nearly along the open direction is none.
-  double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
-
 enum class ClosureReason {
   kStandsAlone,  ///< Accepted.
   kOneAxis,      ///< Accepted across a corridor, open along it.

@@ -13,6 +13,7 @@
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/pieces/place_signature.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 namespace {

@@ -8,21 +8,9 @@
 
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 
 namespace setsquare {
-
-/// Parameters of join_pieces.
-struct PieceJoiningParams {
-  std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
-  std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
-  double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
-  std::size_t min_agreeing = 3;             ///< Places that must tell the same ...
-  double agreeing_m = 0.5;                  ///< ... as to where the piece lies ...
-  double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
-
-  /// Throws ParameterError that names the field.
-  void validate() const;
-};
 
 /// How pieces of track hang together.
 struct JoinedPieces {

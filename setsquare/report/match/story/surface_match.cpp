@@ -7,10 +7,12 @@
 
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/matching/trace.hpp"
 #include "setsquare/report/match/story/story.hpp"
 #include "setsquare/report/match/story/verdict_rules.hpp"
 #include "setsquare/report/match/story/words.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 namespace {

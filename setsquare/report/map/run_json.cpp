@@ -1,16 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/map/report.hpp"
+#include "setsquare/report/map/run_json.hpp"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <optional>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/map/map_summary.hpp"
-#include "setsquare/mapping/mapper_params.hpp"
-#include "setsquare/mapping/paper_mapper.hpp"
 
-namespace setsquare::app {
+namespace setsquare {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -75,64 +73,19 @@ Json scan_counts(const MapSummary& summary) {
           {to_string(TrackStatus::kLost), summary.num_lost}};
 }
 
-Json parameters(const MapOptions& options) {
-  if (options.preset == Preset::kPaper) {
-    const PaperMapperParams params;
-    return {{"keyframe_distance_m", params.keyframe_distance_m},
-            {"keyframe_turn_deg", rounded(deg_from_rad(params.keyframe_turn_rad))},
-            {"max_rejected", params.max_rejected},
-            {"min_zncc_product", params.matcher.min_zncc_product},
-            {"max_shift_m", params.matcher.max_shift_m},
-            {"max_rotation_deg", deg_from_rad(params.matcher.max_rotation_rad)}};
-  }
-  const MapperParams params;
-  const ScanTrackerParams& tracker = params.tracker;
-  return {{"num_keyframes", tracker.num_keyframes},
-          {"keyframe_distance_m", tracker.keyframe_distance_m},
-          {"keyframe_turn_deg", rounded(deg_from_rad(tracker.keyframe_turn_rad))},
-          {"max_range_m", tracker.surfaces.max_range_m},
-          {"min_effective_points", tracker.refinement.min_effective_points},
-          {"lost_below_score", tracker.lost_below_score},
-          {"building_sigma_deg", rounded(deg_from_rad(params.heading.building_sigma_rad))},
-          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.motion.step_sigma_rad))},
-          {"station_spacing", params.closing.station_spacing},
-          {"min_closure_score", params.closing.verdict.min_score},
-          {"min_closure_margin", params.closing.verdict.min_margin},
-          {"window_per_metre", params.closing.candidates.window_per_metre},
-          {"max_squared_error", params.robust.max_squared_error},
-          {"registration_rounds", params.registration.num_rounds}};
-}
-
-/// Nothing given is null.
-Json json_if(const std::optional<double>& value, double unit) {
-  return value ? Json(rounded(unit * *value)) : Json();
-}
-
-/// The options of the command that decide what the map is; --preset and --frame stand beside.
-Json json_of_options(const MapOptions& options) {
-  const double degrees = deg_from_rad(1.0);
-  return {{"odometry", options.uses_odometry},
-          {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
-          {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},
-          {"angular_step_deg", json_if(options.log.bearing_step_rad, degrees)},
-          {"max_range_m", json_if(options.log.max_range_m, 1.0)}};
-}
-
 }  // namespace
 
-std::string run_json(const MapOptions& options, const MapRun& run) {
-  const Map& map = run.map;
+std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
   const MapSummary summary = summary_of(map);
-  const bool is_paper = options.preset == Preset::kPaper;
   const Json json = {{"version", SETSQUARE_VERSION},
-                     {"log", options.log_path},
+                     {"log", run.log},
                      {"format", run.format},
                      {"sensor", run.sensor},
-                     {"preset", is_paper ? "paper" : "default"},
-                     {"frame", options.is_of_sensor ? "sensor" : "base"},
-                     {"options", json_of_options(options)},
+                     {"preset", run.preset},
+                     {"frame", pose_of == PoseOf::kSensor ? "sensor" : "base"},
+                     {"options", Json::parse(run.options_json)},
                      {"scans_with_odometry", map.num_with_odometry},
-                     {"damaged_records", run.problems.num_damaged},
+                     {"damaged_records", run.num_damaged_records},
                      {"num", scan_counts(summary)},
                      {"path_m", rounded(summary.path_m)},
                      {"closures", closure_counts(summary)},
@@ -140,9 +93,9 @@ std::string run_json(const MapOptions& options, const MapRun& run) {
                      {"pieces", array_from(map.pieces, map)},
                      {"open_stretches", array_from(map.open_stretches, map)},
                      {"stretches", array_from(status_stretches(map), map)},
-                     {"parameters", parameters(options)}};
+                     {"parameters", Json::parse(run.parameters_json)}};
   // A path need not be UTF-8: what is not is replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-}  // namespace setsquare::app
+}  // namespace setsquare

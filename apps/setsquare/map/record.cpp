@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/map/record.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/paper_mapper.hpp"
+
+namespace setsquare::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Six decimals: what the log's own digits can support.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+/// Texts of the user need not be UTF-8: what is not is replaced.
+std::string text_from(const Json& json) {
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+Json parameters(const MapOptions& options) {
+  if (options.preset == Preset::kPaper) {
+    const PaperMapperParams params;
+    return {{"keyframe_distance_m", params.keyframe_distance_m},
+            {"keyframe_turn_deg", rounded(deg_from_rad(params.keyframe_turn_rad))},
+            {"max_rejected", params.max_rejected},
+            {"min_zncc_product", params.matcher.min_zncc_product},
+            {"max_shift_m", params.matcher.max_shift_m},
+            {"max_rotation_deg", deg_from_rad(params.matcher.max_rotation_rad)}};
+  }
+  const MapperParams params;
+  const ScanTrackerParams& tracker = params.tracker;
+  return {{"num_keyframes", tracker.num_keyframes},
+          {"keyframe_distance_m", tracker.keyframe_distance_m},
+          {"keyframe_turn_deg", rounded(deg_from_rad(tracker.keyframe_turn_rad))},
+          {"max_range_m", tracker.surfaces.max_range_m},
+          {"min_effective_points", tracker.refinement.min_effective_points},
+          {"lost_below_score", tracker.lost_below_score},
+          {"building_sigma_deg", rounded(deg_from_rad(params.heading.building_sigma_rad))},
+          {"tracked_rotation_sigma_deg", rounded(deg_from_rad(params.motion.step_sigma_rad))},
+          {"station_spacing", params.closing.station_spacing},
+          {"min_closure_score", params.closing.verdict.min_score},
+          {"min_closure_margin", params.closing.verdict.min_margin},
+          {"window_per_metre", params.closing.candidates.window_per_metre},
+          {"max_squared_error", params.robust.max_squared_error},
+          {"registration_rounds", params.registration.num_rounds}};
+}
+
+/// Nothing given is null.
+Json json_if(const std::optional<double>& value, double unit) {
+  return value ? Json(rounded(unit * *value)) : Json();
+}
+
+/// The options of the command that decide what the map is; --preset and --frame stand beside.
+Json json_of_options(const MapOptions& options) {
+  const double degrees = deg_from_rad(1.0);
+  return {{"odometry", options.uses_odometry},
+          {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
+          {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},
+          {"angular_step_deg", json_if(options.log.bearing_step_rad, degrees)},
+          {"max_range_m", json_if(options.log.max_range_m, 1.0)}};
+}
+
+}  // namespace
+
+RunRecord record_of(const MapOptions& options, const MapRun& run) {
+  return {.log = options.log_path,
+          .format = run.format,
+          .sensor = run.sensor,
+          .preset = options.preset == Preset::kPaper ? "paper" : "default",
+          .options_json = text_from(json_of_options(options)),
+          .parameters_json = text_from(parameters(options)),
+          .num_damaged_records = run.problems.num_damaged};
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "setsquare/map/map.hpp"
+
+namespace setsquare {
+
+/// How a map was made: what run.json holds beside the map itself. Texts may be empty; the two JSON
+/// texts are objects.
+struct RunRecord {
+  std::string log;     ///< As the user named it.
+  std::string format;  ///< Of the log.
+  std::string sensor;
+  std::string preset = "default";
+  std::string options_json = "{}";
+  std::string parameters_json = "{}";
+  std::uint64_t num_damaged_records = 0;
+};
+
+/// The content of run.json: what was read, how it went, with which options and parameters. The
+/// same map and record give the same bytes; times are in timing.json.
+[[nodiscard]] std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of);
+
+}  // namespace setsquare

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/report/map/save_map.hpp"
+
+#include <filesystem>
+#include <system_error>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/save_file.hpp"
+#include "setsquare/drawing/png.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
+#include "setsquare/io/tables/closures_tsv.hpp"
+#include "setsquare/io/tables/pose_graph_g2o.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
+#include "setsquare/report/map/building_heading.hpp"
+#include "setsquare/report/map/page.hpp"
+#include "setsquare/report/map/picture.hpp"
+
+namespace setsquare {
+namespace {
+
+/// map.png along the building's walls. The map's axes are others where no frame of the building was
+/// measured (PaperMapper).
+std::string png_of(const Map& map,
+                   const OccupancyGrid& grid,
+                   std::span<const LoopClosure> closures,
+                   int num_threads) {
+  const MapPictureLayers layers{.scans = map.scans, .closures = closures};
+  if (!map.frames.empty()) return png_from_image(layered_map_picture(grid, layers));
+  const double walls_rad = building_heading_rad(placed_scans(map));
+  return png_from_image(layered_map_picture(occupancy_grid(map, num_threads, walls_rad), layers));
+}
+
+}  // namespace
+
+void make_map_files(
+    const Map& map,
+    const SaveMapOptions& options,
+    const std::function<void(const std::string& name, std::string_view bytes)>& add) {
+  const auto begin = [&](const char* stage) {
+    if (options.on_stage) options.on_stage(stage);
+  };
+  begin("grid");
+  const OccupancyGrid grid = occupancy_grid(map, options.num_threads);
+  const MapFiles files = map_files_from_grid(grid, "map.pgm");
+  add("map.pgm", files.pgm);
+  add("map.yaml", files.yaml);
+  begin("picture");
+  const std::vector<LoopClosure> closures = closures_of(map);
+  add("map.png", png_of(map, grid, closures, options.num_threads));
+  begin("tables");
+  add("trajectory.tum", tum_from_trajectory(trajectory_of(map, options.pose_of)));
+  if (!map.graph.T_map_node.empty()) {
+    add("graph.g2o", g2o_from_pose_graph(map.graph));
+    add("closures.tsv", tsv_from_closures(closures));
+    begin("report");
+    add("report.html",
+        map_report_html(
+            {.title = options.title, .map = map, .grid = &grid, .figures = map_figures(map)}));
+  }
+  add("run.json", run_json(map, options.run, options.pose_of));
+}
+
+std::vector<std::string> save_map(const Map& map,
+                                  const std::string& folder,
+                                  const SaveMapOptions& options) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw FileError(folder, "cannot be made: " + error.message());
+  std::vector<std::string> names;
+  std::vector<std::string> contents;
+  make_map_files(map, options, [&](const std::string& name, std::string_view bytes) {
+    names.push_back(name);
+    contents.emplace_back(bytes);
+  });
+  std::vector<FileBytes> files;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    files.push_back({(std::filesystem::path(folder) / names[i]).string(), contents[i]});
+  }
+  save_files(files);
+  return names;
+}
+
+}  // namespace setsquare

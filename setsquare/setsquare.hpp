@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// The front door: match two scans, map a log, judge the result.
+//
+//   const MatchResult match = setsquare::match(reference, current);
+//
+//   Mapper mapper;
+//   const auto log = open_log("intel.clf");
+//   while (const auto* record = log->next()) mapper.add(record->scan, record->T_odom_base);
+//   save_map(mapper.finish(), "out");
+//
+// Link setsquare::setsquare. To match one scan with many, `prepare` each once.
+#pragma once
+
+#include "setsquare/eval/evaluate.hpp"             // IWYU pragma: export
+#include "setsquare/io/logs/open_log.hpp"          // IWYU pragma: export
+#include "setsquare/io/tables/relations.hpp"       // IWYU pragma: export
+#include "setsquare/io/tables/trajectory_tum.hpp"  // IWYU pragma: export
+#include "setsquare/map/map.hpp"                   // IWYU pragma: export
+#include "setsquare/mapping/mapper.hpp"            // IWYU pragma: export
+#include "setsquare/matching/scan_matcher.hpp"     // IWYU pragma: export
+#include "setsquare/report/map/save_map.hpp"       // IWYU pragma: export
+#include "setsquare/scan/scan.hpp"                 // IWYU pragma: export
