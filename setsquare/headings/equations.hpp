@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from fusion, its only caller, because tests compare it with dense solvers.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from fusion, which shows it: the discrete half of the problem, tested alone.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from scan_matcher, its only caller, so that the pipeline there stays one call per step.
 #pragma once
 
 #include <span>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from answer, its only caller, because tests compare it with a plain twin.
 #pragma once
 
 #include "setsquare/matching/match_params.hpp"

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from answer, its only caller: the rules, tested without scans.
 #pragma once
 
 #include <Eigen/Core>

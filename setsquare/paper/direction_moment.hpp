@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from dominant_direction, which shows it: one equation of the paper, one file.
 #pragma once
 
 #include <cstdint>

@@ -11,8 +11,8 @@
 namespace setsquare {
 namespace {
 
-/// The evidence's sums over the samples, four at a time, and the normal equations in a motion of the
-/// image's frame.
+/// The evidence's sums over the samples, four at a time, and the normal equations in a motion of
+/// the image's frame.
 struct EvidenceSums {
   Floats wall{}, agreeing{}, contradicted{}, hidden{}, outside{};
   LineSums lines;

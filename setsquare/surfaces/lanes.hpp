@@ -23,7 +23,8 @@ using Ints [[gnu::vector_size(4 * kLanes)]] = std::int32_t;
   return lanes;
 }
 
-/// The value where the mask (all ones or all zeros in a lane, as comparisons give it) is set, else 0.
+/// The value where the mask (all ones or all zeros in a lane, as comparisons give it) is set, else
+/// 0.
 [[nodiscard]] inline Floats where(Ints mask, Floats value) {
   Ints bits;
   std::memcpy(&bits, &value, sizeof bits);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from scan_tracker, its only caller, because tests drive it without scans.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// The data that submap_matcher compares; piece joining makes them, too.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from verdict, which shows its answer: loops and piece joining match by it.
 #pragma once
 
 #include <cstddef>

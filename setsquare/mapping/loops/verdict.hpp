@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from loop_closer, which shows its parameters: the rules, tested without scans.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from piece_joining, its only caller, because tests compare signatures of known places.
 #pragma once
 
 #include <array>
