@@ -104,7 +104,7 @@ TEST(MapReport, TextCannotLeaveItsPlace) {
 }
 
 TEST(MapReport, ShowsTheTitleAsItIs) {
-  MapReport report = drive(5, 1, 5);
+  MapReport report = drive(50, 1, 5);
   report.title = "B\xc3\xbcro_\xe6\x97\xa5\xe6\x9c\xac.clf";
   const std::string html = map_report_html(report);
   EXPECT_THAT(html, HasSubstr("<title>" + report.title + "</title>"));

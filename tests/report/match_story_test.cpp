@@ -78,9 +78,7 @@ TEST(DefaultStory, TellsTheMatchersOwnAnswerAndTheLosers) {
   const auto& looked_at = std::get<SurfaceEvidence>(story.looked_at);
   EXPECT_FALSE(looked_at.trace.rotations.empty());
   ASSERT_TRUE(story.T_proposed.has_value());
-  EXPECT_THAT(*story.T_proposed,
-              PoseNear(story.proposals[0].T_reference_current,
-                       (testing::PoseTolerance{.translation_m = 0.3, .rotation_rad = 0.1})));
+  EXPECT_EQ(*story.T_proposed, looked_at.trace.candidates.front().candidate.T_proposed);
   for (const StoryProposal& proposal : story.proposals) {
     EXPECT_EQ(proposal.measures.size(), story.measure_names.size());
     EXPECT_FALSE(proposal.fate.empty());

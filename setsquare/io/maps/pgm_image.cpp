@@ -126,7 +126,8 @@ std::string pgm_from_image(const PgmImage& image) {
   if (image.width < 1 || image.height < 1) throw ParameterError("width", "must be positive");
   const std::uint64_t num_pixels =
       static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-  if (image.values.size() != num_pixels) throw ParameterError("values", "must hold one value per pixel");
+  if (image.values.size() != num_pixels)
+    throw ParameterError("values", "must hold one value per pixel");
   if (image.white < 1) throw ParameterError("white", "must be positive");
   std::string bytes = fmt::format("P5\n{} {}\n{}\n", image.width, image.height, image.white);
   const bool is_wide = image.white > 255;

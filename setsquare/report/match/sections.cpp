@@ -45,8 +45,9 @@ std::string words_of_search(const SurfaceEvidence& looked_at) {
   const MatchParams& params = looked_at.params;
   const SearchParams& search = looked_at.trace.was_thorough ? params.thorough : params.quick;
   return fmt::format(
-      "At each rotation every translation is correlated on a grid of {} m; the best {} are refined "
-      "and scored with the coarse samples, the best {} different ones with the fine samples.",
+      "At each rotation all translations are correlated on a grid of {} m; the best {} are refined "
+      "and "
+      "scored with the coarse samples, the best {} of those with the fine ones.",
       fixed(CorrelationGrid::kCell_m, 1),
       search.num_coarse,
       search.num_fine);
@@ -70,9 +71,8 @@ Sections surface_sections(const MatchStory& story, const SurfaceEvidence& looked
   add_table("Proposals, and why they lost", story.remark, proposal_table(story), sections);
   sections.push_back(
       {"What the scores are made of",
-       "Each scan's fine samples against the other scan: agreeing (on its surface and facing the "
-       "same way), near it, hidden behind it, outside its view, or contradicted (it "
-       "saw through).",
+       "The fine samples of either scan against the other: on its surface (agreeing), near it, "
+       "hidden behind it, outside its view, or where it saw through (contradicted).",
        evidence_figure(looked_at)});
   add_table("The verdict, and the rule that decided",
             "The rules are asked in this order; the first that fails decides. Where all hold, the "

@@ -68,10 +68,9 @@ void add_proposals(const MatchTrace& trace, MatchStory& story) {
     }
   }
   story.remark = fmt::format(
-      "Shares of the compared wall, seen both ways. Those dropped were scored with the coarse "
-      "samples, the others with the fine ones. Not listed: {} in the basin of a better one, {} "
-      "that "
-      "scored less.",
+      "Shares of the compared wall; of those dropped by the coarse samples, else by the fine ones. "
+      "Not "
+      "listed: {} in the basin of a better one, {} that scored less.",
       num_repeated,
       num_left_out);
   if (story.proposals.empty()) return;
