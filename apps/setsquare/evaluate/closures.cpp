@@ -352,12 +352,16 @@ void add_evaluate_closures(CLI::App& evaluate) {
 void add_evaluate_chains(CLI::App& evaluate) {
   const auto options = std::make_shared<ChainsOptions>();
   CLI::App* chains = evaluate.add_subcommand(
-      "chains", "How well chains of relations foretell a relation: whether to believe `closures`");
+      "chains", "How well chains of relations predict a relation: whether to believe `closures`");
   chains->add_option("relations", options->relations_path, "Relations between poses")
       ->type_name("")
       ->required();
   chains->add_flag("--json", options->is_json, "Print JSON");
-  chains->footer("Example:\n  setsquare evaluate chains intel.relations");
+  chains->footer(
+      "Errors in m and deg. \"-\" where no relation could be judged.\n"
+      "Examples:\n"
+      "  setsquare evaluate chains intel.relations\n"
+      "  setsquare evaluate chains intel.relations --json");
   chains->callback([options] { evaluate_chains(*options); });
 }
 
