@@ -158,6 +158,35 @@ TEST_F(OutputSetTest, ARunKilledAtAnyMomentLeavesOneWholeSetOrSaysSo) {
   EXPECT_GT(num_whole, 0);
 }
 
+TEST_F(OutputSetTest, ARunEndedByASignalAtAnyMomentLeavesOneWholeSetAndNothingElse) {
+  write_set("0");
+  std::mt19937_64 generator = testing::make_generator();
+  std::uniform_int_distribution<int> delay_us(0, 6000);
+  for (int round = 0; round < 30; ++round) {
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+      for (int i = 1;; ++i) write_set(std::to_string(i) + std::string(20'000, '.'));
+    }
+    std::this_thread::sleep_for(std::chrono::microseconds(delay_us(generator)));
+    ASSERT_EQ(::kill(child, SIGTERM), 0);
+    int status = 0;
+    ASSERT_EQ(::waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    EXPECT_EQ(WTERMSIG(status), SIGTERM);
+    expect_set(content("run.json"));
+  }
+}
+
+TEST_F(OutputSetTest, AnInputIsNotReplaced) {
+  write_set("one");
+  fs::create_hard_link(folder_ / "map.png", temporary_.path() / "other name");
+  EXPECT_THROW(OutputSet(folder_.string(), kNames, {(temporary_.path() / "other name").string()}),
+               FileError);
+  EXPECT_NO_THROW(OutputSet(folder_.string(), kNames, {(temporary_.path() / "absent").string()}));
+  expect_set("one");
+}
+
 TEST_F(OutputSetTest, TwoRunsDoNotWriteIntoOneDirectory) {
   OutputSet first(folder_.string(), kNames);
   EXPECT_THROW(OutputSet(folder_.string(), kNames), FileError);

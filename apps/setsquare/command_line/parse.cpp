@@ -143,8 +143,9 @@ std::string words_of_error(const CLI::App& application,
                            const CLI::App& command,
                            const CLI::ParseError& error) {
   const std::vector<std::string> left = application.remaining(true);
-  const bool is_about_left = error.get_name() == "ExtrasError" ||
-                             (error.get_name() == "RequiredError" && &command == &application);
+  const bool is_about_left =
+      dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+      (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr && &command == &application);
   if (!is_about_left || left.empty()) return error.what();
   const auto option = std::find_if(
       left.begin(), left.end(), [](const std::string& word) { return word.starts_with('-'); });

@@ -285,8 +285,8 @@ void evaluate_chains(const ChainsOptions& options) {
   require_chained(check, options);
   if (options.is_json) {
     Json json = json_of_counts(check.verdicts);
-    json["translation_m"] = json_from(check.translation_m, 1.0);
-    json["rotation_deg"] = json_from(check.rotation_rad, deg_from_rad(1.0));
+    json["translation_m"] = json_of_statistics(check.translation_m, 1.0);
+    json["rotation_deg"] = json_of_statistics(check.rotation_rad, deg_from_rad(1.0));
     std::cout << json.dump(2) << "\n";
     return;
   }
@@ -302,7 +302,7 @@ void evaluate_chains(const ChainsOptions& options) {
                    verdicts.num_borderline,
                    verdicts.num_disputed,
                    verdicts.num_unjudged)
-            << table_from(check.translation_m, check.rotation_rad);
+            << statistics_table(check.translation_m, check.rotation_rad);
 }
 
 }  // namespace
@@ -352,12 +352,16 @@ void add_evaluate_closures(CLI::App& evaluate) {
 void add_evaluate_chains(CLI::App& evaluate) {
   const auto options = std::make_shared<ChainsOptions>();
   CLI::App* chains = evaluate.add_subcommand(
-      "chains", "How well chains of relations foretell a relation: whether to believe `closures`");
+      "chains", "How well chains of relations predict a relation: whether to believe `closures`");
   chains->add_option("relations", options->relations_path, "Relations between poses")
       ->type_name("")
       ->required();
   chains->add_flag("--json", options->is_json, "Print JSON");
-  chains->footer("Example:\n  setsquare evaluate chains intel.relations");
+  chains->footer(
+      "Errors in m and deg. \"-\" where no relation could be judged.\n"
+      "Examples:\n"
+      "  setsquare evaluate chains intel.relations\n"
+      "  setsquare evaluate chains intel.relations --json");
   chains->callback([options] { evaluate_chains(*options); });
 }
 

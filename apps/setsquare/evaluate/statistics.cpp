@@ -28,7 +28,7 @@ std::string statistics_row(const char* name, const ErrorStatistics& statistics, 
 
 }  // namespace
 
-nlohmann::ordered_json json_from(const ErrorStatistics& statistics, double unit) {
+nlohmann::ordered_json json_of_statistics(const ErrorStatistics& statistics, double unit) {
   if (statistics.num_values == 0) return nullptr;
   return {{"mean", unit * statistics.mean},
           {"rmse", unit * statistics.rmse},
@@ -37,7 +37,8 @@ nlohmann::ordered_json json_from(const ErrorStatistics& statistics, double unit)
           {"deviation", unit * statistics.deviation}};
 }
 
-std::string table_from(const ErrorStatistics& translation_m, const ErrorStatistics& rotation_rad) {
+std::string statistics_table(const ErrorStatistics& translation_m,
+                             const ErrorStatistics& rotation_rad) {
   return "                       mean       rmse     median        max  deviation\n" +
          statistics_row("translation, m", translation_m, 1.0) +
          statistics_row("rotation, deg", rotation_rad, deg_from_rad(1.0));

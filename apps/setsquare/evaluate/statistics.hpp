@@ -12,11 +12,12 @@ namespace setsquare::app {
 
 /// {"mean": ..., "rmse": ..., "median": ..., "max": ..., "deviation": ...}, each times `unit`;
 /// null where there was nothing to measure.
-[[nodiscard]] nlohmann::ordered_json json_from(const ErrorStatistics& statistics, double unit);
+[[nodiscard]] nlohmann::ordered_json json_of_statistics(const ErrorStatistics& statistics,
+                                                        double unit);
 
 /// Two rows under a heading: translation in m, rotation in deg; "-" where there was nothing.
-[[nodiscard]] std::string table_from(const ErrorStatistics& translation_m,
-                                     const ErrorStatistics& rotation_rad);
+[[nodiscard]] std::string statistics_table(const ErrorStatistics& translation_m,
+                                           const ErrorStatistics& rotation_rad);
 
 /// --max-time-difference S: how far apart in time two poses of one moment may be. 0.02 s where it
 /// is not given.

@@ -59,8 +59,8 @@ Json json_of_pairs(const PairedPoses& paired) {
 }
 
 void add_errors(Json& json, const ErrorStatistics& translation_m, const ErrorStatistics& rotation) {
-  json["translation_m"] = json_from(translation_m, 1.0);
-  json["rotation_deg"] = json_from(rotation, deg_from_rad(1.0));
+  json["translation_m"] = json_of_statistics(translation_m, 1.0);
+  json["rotation_deg"] = json_of_statistics(rotation, deg_from_rad(1.0));
 }
 
 void print_pairs(const PairedPoses& paired) {
@@ -89,7 +89,7 @@ void evaluate_ate(const AteOptions& options) {
                            alignment.x_m,
                            alignment.y_m,
                            deg_from_rad(alignment.theta_rad))
-            << table_from(error.translation_m, error.rotation_rad)
+            << statistics_table(error.translation_m, error.rotation_rad)
             << fmt::format("final pose: {:.4f} m, {:.4f} deg off\n",
                            error.final_translation_m,
                            deg_from_rad(error.final_rotation_rad));
@@ -122,7 +122,7 @@ void evaluate_rpe(const RpeOptions& options) {
   print_pairs(paired);
   std::cout << num_spans << " spans";
   if (error.num_left_out > 0) std::cout << ", " << error.num_left_out << " left out: a gap in them";
-  std::cout << "\n" << table_from(error.translation_m, error.rotation_rad);
+  std::cout << "\n" << statistics_table(error.translation_m, error.rotation_rad);
 }
 
 void add_files(CLI::App& subcommand, TrajectoryFiles& files) {

@@ -26,6 +26,7 @@ namespace {
 void require_writable(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
+  if (path.empty()) throw Error("-o: the name of the output is empty");
   if (fs::is_directory(path, error)) complain_of_output(path, "it is a directory");
   const bool is_replaced = !fs::exists(path, error) || fs::is_regular_file(path, error);
   const fs::path target = fs::weakly_canonical(path, error);
