@@ -68,7 +68,7 @@ Json hallway_drawing(const HallwayRun& run) {
 
 Json circuit_drawing(const CircuitStudy& study) {
   const CircuitRun& first = study.runs.front();
-  Json paths = Json::array({path_json("true track", first.truth)});
+  Json paths = Json::array();
   Json position = Json::array();
   Json heading = Json::array();
   const std::pair<const char*, const ChainOutcome*> shown[] = {
@@ -80,6 +80,7 @@ Json circuit_drawing(const CircuitStudy& study) {
     position.push_back(position_error_json(name, first, *track));
     heading.push_back(heading_error_json(name, first, *track));
   }
+  paths.push_back(path_json("true track", first.truth));
   return {{"walls", walls_json(study.plan)},
           {"paths", paths},
           {"position_error_m", position},

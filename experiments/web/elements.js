@@ -21,7 +21,9 @@ function commandLine(words) {
 
 function cell(tag, content, attributes = {}) {
   const { text, style } = typeof content === "object" ? content : { text: content, style: "" };
-  return element(tag, style ? { ...attributes, class: style } : attributes, String(text));
+  // A number stays on one line with its unit.
+  const words = String(text).replace(/(\d) (%|m|deg|ms)(?![a-z])/g, "$1\u00a0$2");
+  return element(tag, style ? { ...attributes, class: style } : attributes, words);
 }
 
 /** A table with a line of words above; on a narrow screen it scrolls within its own box. */

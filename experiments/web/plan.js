@@ -20,9 +20,8 @@ function boxOf({ walls, paths }) {
 
 /** From metres of the map to pixels, y up. */
 class PlanScale {
-  constructor(drawing) {
+  constructor(drawing, tallest) {
     const margin = 12;
-    const tallest = 720;
     const box = boxOf(drawing);
     const width = Math.max(box.right - box.left, 1);
     const height = Math.max(box.high - box.low, 1);
@@ -44,12 +43,13 @@ class PlanScale {
 
 /** `drawing` is {walls, paths}; with `hasNumbers` every pose is a dot with its number. */
 function plan(drawing, hasNumbers = false) {
-  const scale = new PlanScale(drawing);
+  const scale = new PlanScale(drawing, hasNumbers ? 520 : 800);
   const svg = shape("svg", { width: scale.width, height: scale.height, role: "img",
     viewBox: `0 0 ${scale.width} ${scale.height}`, "aria-label": "floor plan" });
   const walls = drawing.walls.map(([x1, y1, x2, y2]) => `M${scale.words(x1, y1)}L${scale.words(x2, y2)}`);
   svg.append(shape("path", { class: "wall", d: walls.join("") }));
-  drawing.paths.forEach(({ points }, i) => {
+  // The last way lies below: a chart beside the plan gives the first ones the same colours.
+  [...drawing.paths.entries()].reverse().forEach(([i, { points }]) => {
     const style = `s${1 + (i % 5)}`;
     const line = points.map(([x, y]) => scale.words(x, y)).join("L");
     svg.append(shape("path", { class: `curve ${style}`, d: `M${line}` }));
