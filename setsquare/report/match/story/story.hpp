@@ -11,7 +11,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/matching/prepared_scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/matching/trace.hpp"
 #include "setsquare/paper/direction_curve.hpp"
 #include "setsquare/paper/dominant_direction.hpp"
