@@ -18,7 +18,7 @@ void bind(SubmapMatch& match, double strong_rad, double strong_points, double op
   const Eigen::Vector2d open(-strong.y(), strong.x());
   match.best.hessian.setZero();
   match.best.hessian.topLeftCorner<2, 2>() =
-      strong_points * strong * strong.transpose() + open_points * weak * open.transpose();
+      strong_points * strong * strong.transpose() + open_points * open * open.transpose();
   match.best.hessian(2, 2) = 500.0;
   match.open = open_direction(match.best.hessian.topLeftCorner<2, 2>());
 }
