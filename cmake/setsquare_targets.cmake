@@ -15,8 +15,8 @@ target_compile_options(
             $<$<BOOL:${SETSQUARE_WARNINGS_AS_ERRORS}>:-Werror>)
 
 # setsquare_precompile_headers(TARGET [FROM])
-# Under SETSQUARE_PRECOMPILE_HEADERS gives a target the precompiled headers of another one or, where
-# none is named, its own: standard library and Eigen, and GoogleTest where the target links it.
+# Under SETSQUARE_PRECOMPILE_HEADERS gives a test program the precompiled headers of another target
+# or, where none is named, its own: the standard library, Eigen and GoogleTest.
 function(setsquare_precompile_headers target)
   if(NOT SETSQUARE_PRECOMPILE_HEADERS)
     return()
@@ -25,7 +25,6 @@ function(setsquare_precompile_headers target)
     target_precompile_headers(${target} REUSE_FROM ${ARGV1})
     return()
   endif()
-  get_target_property(libraries ${target} LINK_LIBRARIES)
   target_precompile_headers(
     ${target}
     PRIVATE
@@ -45,7 +44,8 @@ function(setsquare_precompile_headers target)
     <sstream>
     <string>
     <vector>
-    "$<$<IN_LIST:GTest::gmock,${libraries}>:<gmock/gmock.h$<ANGLE-R>>")
+    <gmock/gmock.h>
+    <gtest/gtest.h>)
 endfunction()
 
 # setsquare_set_unity(TARGET)
@@ -78,11 +78,6 @@ function(setsquare_add_layer name)
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
   setsquare_set_unity(setsquare_${name})
-  if(name STREQUAL core)
-    setsquare_precompile_headers(setsquare_core)
-  else()
-    setsquare_precompile_headers(setsquare_${name} setsquare_core)
-  endif()
   set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
 endfunction()
 

@@ -125,7 +125,8 @@ void write_pages(const std::string& folder) {
   const OccupancyGrid askew = grid_from_scans(placed, rad_from_deg(20.0));
   save("askew.html", {.title = title, .map = map, .grid = &askew, .figures = figures});
 
-  save("bare.html", {.title = "Nothing", .map = {}});
+  const Map nothing;
+  save("bare.html", {.title = "Nothing", .map = nothing});
 
   const OccupancyGrid unknown({}, 0.05, 40, 40);
   Map single;  // Its confidence is not known.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/logs/gzip_source.hpp"
+#include "setsquare/io/bytes/gzip_source.hpp"
 
 #include <gtest/gtest.h>
 #include <zlib.h>

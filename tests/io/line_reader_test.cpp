@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/logs/line_reader.hpp"
+#include "setsquare/io/bytes/line_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

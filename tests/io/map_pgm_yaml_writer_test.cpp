@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "tests/support/seed.hpp"
 #include "tests/support/temporary_folder.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 
 namespace setsquare::testing {

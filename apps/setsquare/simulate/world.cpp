@@ -11,10 +11,10 @@
 
 #include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
+#include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/io/maps/map_yaml.hpp"
-#include "setsquare/io/tables/text_scanner.hpp"
 #include "setsquare/sim/floor_plan_from_cells.hpp"
 #include "setsquare/sim/svg/floor_plan_svg.hpp"
 

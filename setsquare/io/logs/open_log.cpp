@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/logs/carmen/log.hpp"
 #include "setsquare/io/logs/mrpt/rawlog.hpp"
 #include "setsquare/io/logs/selecting_log_reader.hpp"

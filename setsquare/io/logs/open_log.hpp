@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-class ByteSource;  // setsquare/io/logs/byte_source.hpp
+class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
 /// Opens a log, plain or gzip, "-" for standard input. The format is recognised by content.
 /// Throws FileError (no such file, a directory, not permitted), FormatError (empty, or no log that

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 
 namespace setsquare {

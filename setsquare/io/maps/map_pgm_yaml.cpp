@@ -10,8 +10,8 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
-#include "setsquare/io/logs/input_buffer.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
+#include "setsquare/io/bytes/input_buffer.hpp"
 
 namespace setsquare {
 namespace {

@@ -10,7 +10,7 @@
 #include <string_view>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/tables/shortest_number.hpp"
+#include "setsquare/io/bytes/shortest_number.hpp"
 
 namespace setsquare {
 namespace {

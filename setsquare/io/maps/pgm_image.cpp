@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/input_buffer.hpp"
+#include "setsquare/io/bytes/input_buffer.hpp"
 
 namespace setsquare {
 namespace {

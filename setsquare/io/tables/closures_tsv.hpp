@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "setsquare/core/loop_closure.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
 

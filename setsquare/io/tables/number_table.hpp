@@ -11,9 +11,9 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/timestamp.hpp"
-#include "setsquare/io/logs/line_reader.hpp"
+#include "setsquare/io/bytes/line_reader.hpp"
+#include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
-#include "setsquare/io/tables/text_scanner.hpp"
 
 namespace setsquare {
 

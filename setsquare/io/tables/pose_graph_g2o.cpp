@@ -12,9 +12,9 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/save_file.hpp"
-#include "setsquare/io/logs/line_reader.hpp"
-#include "setsquare/io/tables/shortest_number.hpp"
-#include "setsquare/io/tables/text_scanner.hpp"
+#include "setsquare/io/bytes/line_reader.hpp"
+#include "setsquare/io/bytes/shortest_number.hpp"
+#include "setsquare/io/bytes/text_scanner.hpp"
 
 namespace setsquare {
 namespace {

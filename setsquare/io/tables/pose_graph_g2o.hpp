@@ -8,7 +8,7 @@
 #include <string>
 
 #include "setsquare/graph/pose_graph.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "setsquare/core/relation.hpp"
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
 

@@ -22,9 +22,9 @@ struct ReportFigure {
 /// What the page about a map shows. Everything but the title may be empty.
 struct MapReport {
   std::string title;
-  const Map& map;                       ///< Its stamps may run backwards.
-  const OccupancyGrid* grid = nullptr;  ///< The page stands as its rows do.
-  std::vector<ReportFigure> figures;    ///< map_figures(map), and what the caller adds.
+  const Map& map;                          ///< Its stamps may run backwards.
+  const OccupancyGrid* grid = nullptr;     ///< The page stands as its rows do.
+  std::vector<ReportFigure> figures = {};  ///< map_figures(map), and what the caller adds.
 };
 
 /// The figures of a map: its track, its loop closures, its building.

@@ -12,9 +12,9 @@ namespace setsquare {
 /// How a map was made: what run.json holds beside the map itself. Texts may be empty; the two JSON
 /// texts are objects.
 struct RunRecord {
-  std::string log;     ///< As the user named it.
-  std::string format;  ///< Of the log.
-  std::string sensor;
+  std::string log = {};     ///< As the user named it.
+  std::string format = {};  ///< Of the log.
+  std::string sensor = {};
   std::string preset = "default";
   std::string options_json = "{}";
   std::string parameters_json = "{}";

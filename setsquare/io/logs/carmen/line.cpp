@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
-#include "setsquare/io/tables/text_scanner.hpp"
 
 namespace setsquare {
 namespace {

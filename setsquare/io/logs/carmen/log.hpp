@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
+#include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/logs/carmen/line.hpp"
-#include "setsquare/io/logs/line_reader.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
 namespace setsquare {

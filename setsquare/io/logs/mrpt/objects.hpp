@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/io/logs/byte_cursor.hpp"
+#include "setsquare/io/bytes/byte_cursor.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/io/logs/mrpt/poses.hpp"
 

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/io/logs/byte_cursor.hpp"
+#include "setsquare/io/bytes/byte_cursor.hpp"
 
 namespace setsquare {
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "setsquare/io/logs/input_buffer.hpp"
+#include "setsquare/io/bytes/input_buffer.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/io/logs/mrpt/objects.hpp"
 #include "setsquare/io/logs/record_stream.hpp"

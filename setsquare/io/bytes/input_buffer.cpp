@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/logs/input_buffer.hpp"
+#include "setsquare/io/bytes/input_buffer.hpp"
 
 #include <algorithm>
 #include <utility>

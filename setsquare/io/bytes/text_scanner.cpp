@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/tables/text_scanner.hpp"
+#include "setsquare/io/bytes/text_scanner.hpp"
 
 #include <array>
 #include <charconv>

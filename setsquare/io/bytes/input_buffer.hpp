@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
 

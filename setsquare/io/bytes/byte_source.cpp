@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/io/logs/byte_source.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,7 +13,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/gzip_source.hpp"
+#include "setsquare/io/bytes/gzip_source.hpp"
 
 namespace setsquare {
 namespace {

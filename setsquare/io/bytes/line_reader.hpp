@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "setsquare/io/logs/input_buffer.hpp"
+#include "setsquare/io/bytes/input_buffer.hpp"
 
 namespace setsquare {
 

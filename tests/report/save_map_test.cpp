@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/report/map/save_map.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <memory>
+
+#include "setsquare/core/error.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/walled_world.hpp"
+
+namespace setsquare {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// A short way through a room, with a graph where asked for.
+Map map_of_room(bool has_graph) {
+  Map map;
+  for (std::size_t i = 0; i < 8; ++i) {
+    MappedScan scan;
+    scan.stamp = Timestamp{static_cast<std::int64_t>(i)};
+    scan.T_map_base = scan.T_map_sensor = {3.0 + 0.2 * static_cast<double>(i), 3.0, 0.0};
+    map.scans.push_back(scan);
+    const testing::Fan all_around = {360, -kPi, kTwoPi / 360};
+    map.kept_scans.push_back({i,
+                              std::make_shared<Scan>(testing::scan_of_walls(
+                                  testing::l_shaped_room(), scan.T_map_sensor, all_around))});
+    if (has_graph) map.graph.T_map_node.push_back(scan.T_map_base);
+  }
+  map.pieces = {{0, 8, true}};
+  if (has_graph) map.frames = {{}};
+  return map;
+}
+
+TEST(SaveMap, WritesEveryFileAndNothingElse) {
+  const testing::TemporaryFolder folder;
+  const std::string out = (folder.path() / "new/deeper").string();
+  const std::vector<std::string> names = save_map(map_of_room(true), out, {.title = "A room"});
+  EXPECT_THAT(names,
+              ElementsAre("map.pgm",
+                          "map.yaml",
+                          "map.png",
+                          "trajectory.tum",
+                          "graph.g2o",
+                          "closures.tsv",
+                          "report.html",
+                          "run.json"));
+  std::size_t num_files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(out)) {
+    EXPECT_GT(entry.file_size(), 0U) << entry.path();
+    ++num_files;
+  }
+  EXPECT_EQ(num_files, names.size());
+  EXPECT_THAT(testing::content_of(out + "/report.html"), HasSubstr("A room"));
+  EXPECT_THAT(testing::content_of(out + "/run.json"), HasSubstr("\"scans\": 8"));
+}
+
+TEST(SaveMap, WithoutAGraphThereAreNoClosuresAndNoPage) {
+  const testing::TemporaryFolder folder;
+  const std::vector<std::string> names =
+      save_map(map_of_room(false), (folder.path() / "out").string());
+  EXPECT_THAT(names, Not(Contains("graph.g2o")));
+  EXPECT_THAT(names, Not(Contains("report.html")));
+  EXPECT_THAT(names, Contains("map.png"));
+}
+
+TEST(SaveMap, SameMapSameBytesByAnyNumberOfThreads) {
+  std::map<std::string, std::string> first;
+  const Map room = map_of_room(true);
+  const auto keep = [&](const std::string& name, std::string_view bytes) { first[name] = bytes; };
+  make_map_files(room, {}, keep);
+  make_map_files(room, {.num_threads = 3}, [&](const std::string& name, std::string_view bytes) {
+    EXPECT_EQ(first.at(name), bytes) << name;
+  });
+}
+
+TEST(SaveMap, AFileInTheFoldersPlaceIsAnError) {
+  const testing::TemporaryFolder folder;
+  std::ofstream(folder.path() / "taken") << "mine";
+  EXPECT_THROW(save_map(map_of_room(true), (folder.path() / "taken").string()), FileError);
+  EXPECT_EQ(testing::content_of((folder.path() / "taken").string()), "mine");
+}
+
+TEST(RunJson, KeepsTextsOfTheUserAsTheyAre) {
+  const std::string json = run_json(
+      {}, {.log = "B\xc3\xbcro.clf", .options_json = "{\"odometry\":false}"}, PoseOf::kBase);
+  EXPECT_THAT(json, HasSubstr("B\xc3\xbcro.clf"));
+  EXPECT_THAT(json, HasSubstr("\"odometry\": false"));
+}
+
+}  // namespace
+}  // namespace setsquare
