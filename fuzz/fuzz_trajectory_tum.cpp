@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/fuzz_target.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {

@@ -6,8 +6,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::angle_test {
 
 TEST(Angle, DegreesAndRadiansAreInverse) {
   EXPECT_DOUBLE_EQ(rad_from_deg(180.0), kPi);
@@ -36,5 +35,4 @@ TEST(Angle, WrappingKeepsTheAngleModuloThePeriod) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::angle_test

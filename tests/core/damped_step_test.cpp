@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setsquare {
-namespace {
+namespace setsquare::damped_step_test {
 
 /// Equations whose third direction nothing determines.
 NormalEquations<3> open_equations() {
@@ -55,5 +54,4 @@ TEST(DampedStep, StepMovesThePose) {
   EXPECT_NEAR(moved.theta_rad, 3.5 - kTwoPi, 1e-12);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::damped_step_test

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setsquare {
-namespace {
+namespace setsquare::median_test {
 
 TEST(Median, IsTheMiddleOne) {
   EXPECT_EQ(median({5.0, 1.0, 2.0}), 2.0);
@@ -18,5 +17,4 @@ TEST(Median, OfAnEvenNumberIsTheMiddleTwosMeanOrTheUpperOne) {
   EXPECT_EQ(upper_median({4.0, 1.0, 2.0, 9.0}), 4.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::median_test

@@ -7,8 +7,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::pose2_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -49,5 +48,4 @@ TEST(Pose2, ProductsAndInversesWrapTheHeading) {
   EXPECT_EQ(Pose2({0.0, 0.0, -kPi}).inverse().theta_rad, -kPi);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::pose2_test

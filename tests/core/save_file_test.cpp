@@ -16,8 +16,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::save_file_test {
 
 using testing::content_of;
 
@@ -128,5 +127,4 @@ TEST_F(SaveFile, PermissionsAreTheUsersHabitOrTheOldFiles) {
   EXPECT_EQ(permissions_of(path), only_owner);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::save_file_test

@@ -6,8 +6,7 @@
 
 #include <string>
 
-namespace setsquare {
-namespace {
+namespace setsquare::timestamp_test {
 
 TEST(Timestamp, ReadsDecimalSecondsExactly) {
   EXPECT_EQ(timestamp_from_decimal("976052857.337530")->ns, 976052857337530000);
@@ -67,5 +66,4 @@ TEST(Timestamp, SecondsRoundToTheNearestNanosecond) {
   EXPECT_EQ(timestamp_from_seconds(-0.25).ns, -250'000'000);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::timestamp_test

@@ -8,8 +8,7 @@
 #include <cmath>
 #include <vector>
 
-namespace setsquare {
-namespace {
+namespace setsquare::paint_test {
 
 constexpr Color kWhite = color(0xffffff);
 constexpr Color kBlack = color(0x000000);
@@ -113,5 +112,4 @@ TEST(Paint, TextIsAnchored) {
   EXPECT_GT(last - first, 40);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::paint_test

@@ -10,8 +10,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::png_test {
 
 /// What libpng itself reads from the bytes, as RGB.
 std::vector<std::uint8_t> decoded(const std::string& file, png_image& header) {
@@ -68,5 +67,4 @@ TEST(Png, SavingIntoNoFolderNamesThePath) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::png_test

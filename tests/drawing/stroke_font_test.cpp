@@ -8,8 +8,7 @@
 #include <set>
 #include <string>
 
-namespace setsquare {
-namespace {
+namespace setsquare::stroke_font_test {
 
 /// The strokes as text, to compare glyphs.
 std::string described(char character) {
@@ -57,5 +56,4 @@ TEST(StrokeFont, AnOIsClosedAndRound) {
   EXPECT_GT(strokes[0].size(), 16U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::stroke_font_test

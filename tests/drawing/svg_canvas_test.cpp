@@ -12,8 +12,7 @@
 
 #include "tests/support/xml_fault.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::svg_canvas_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -90,5 +89,4 @@ TEST(SvgNumber, IsShortAndAlwaysANumber) {
   EXPECT_EQ(svg_number(std::numeric_limits<double>::infinity()), "0");
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::svg_canvas_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace setsquare {
-namespace {
+namespace setsquare::text_test {
 
 TEST(Text, FixedDecimals) {
   EXPECT_EQ(fixed(3.14159, 2), "3.14");
@@ -53,5 +52,4 @@ TEST(Text, WhatIsNoUtf8BecomesTheReplacementCharacter) {
 
 TEST(Text, JoinsPieces) { EXPECT_EQ(joined({"a", "", "bc"}), "abc"); }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::text_test

@@ -11,8 +11,7 @@
 #include "tests/eval/random_trajectory.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::absolute_trajectory_error_test {
 
 using testing::moved;
 using testing::PoseNear;
@@ -161,5 +160,4 @@ TEST(AbsoluteTrajectoryError, ARigidMotionOfEitherChangesNothing) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::absolute_trajectory_error_test

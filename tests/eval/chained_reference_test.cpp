@@ -15,8 +15,7 @@
 #include "tests/eval/random_trajectory.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::chained_reference_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -189,5 +188,4 @@ TEST(ChainCheck, FindsNoFaultInGoodRelationsAndThePlantedBadOne) {
   EXPECT_GT(bad.translation_m.max, 0.8);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::chained_reference_test

@@ -10,8 +10,7 @@
 
 #include "tests/eval/random_trajectory.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::closure_judgement_test {
 
 using testing::random_pose;
 using testing::stamp_at;
@@ -181,5 +180,4 @@ TEST(ClosureSummary, CountsAcceptedAndRefusedApart) {
   EXPECT_EQ(summary.num_heavy_wrong, 1U) << "0.3 itself is not above 0.3, refused ones do not pull";
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::closure_judgement_test

@@ -8,8 +8,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::evaluate_test {
 
 Trajectory arc(const Pose2& T_frame_start) {
   Trajectory trajectory;
@@ -47,5 +46,4 @@ TEST(Evaluate, NothingInCommonIsAnErrorOfTheCaller) {
   EXPECT_THROW((void)evaluate(arc({}), later), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::evaluate_test

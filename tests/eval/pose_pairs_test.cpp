@@ -10,8 +10,7 @@
 
 #include "tests/eval/random_trajectory.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::pose_pairs_test {
 
 using testing::stamp_at;
 using testing::uniform;
@@ -75,5 +74,4 @@ TEST(PosePairs, NearestWithinTheToleranceWhateverTheOrder) {
   EXPECT_EQ(pair_poses(trajectory, reference, 0.031).pairs.size(), 3U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::pose_pairs_test

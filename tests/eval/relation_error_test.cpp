@@ -9,8 +9,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::relation_error_test {
 
 Timestamp stamp(double seconds) { return timestamp_from_seconds(seconds); }
 
@@ -100,5 +99,4 @@ TEST(RelationError, NothingInNothingOut) {
   EXPECT_EQ(report.all.translation_m.mean, 0.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::relation_error_test

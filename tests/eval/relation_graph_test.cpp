@@ -13,8 +13,7 @@
 #include "tests/eval/random_trajectory.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::relation_graph_test {
 
 using ::testing::ElementsAre;
 using testing::PoseNear;
@@ -151,5 +150,4 @@ TEST(RelationGraph, ParametersOutsideTheirDomainAreNamed) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::relation_graph_test

@@ -10,8 +10,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/eval/random_trajectory.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::relative_trajectory_error_test {
 
 using testing::random_pose;
 using testing::stamp_at;
@@ -100,5 +99,4 @@ TEST(RelativeTrajectoryError, ALengthMustBePositive) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::relative_trajectory_error_test

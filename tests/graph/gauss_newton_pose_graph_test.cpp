@@ -10,8 +10,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::gauss_newton_pose_graph_test {
 
 using testing::make_generator;
 using testing::mean_position_error_m;
@@ -153,5 +152,4 @@ TEST(GaussNewtonPoseGraph, ParametersAreChecked) {
   EXPECT_EQ(polish(graph).num_iterations, 0);  // Nothing to do.
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::gauss_newton_pose_graph_test

@@ -12,8 +12,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::linear_pose_graph_test {
 
 using testing::make_generator;
 using testing::PoseGraphSimulation;
@@ -217,5 +216,4 @@ TEST(LinearPoseGraph, OneNodeAndNone) {
   EXPECT_EQ(solve_positions(graph).front(), Eigen::Vector2d(1.0, 2.0));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::linear_pose_graph_test

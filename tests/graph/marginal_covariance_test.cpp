@@ -11,8 +11,7 @@
 #include "tests/graph/simulated_pose_graph.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::marginal_covariance_test {
 
 using testing::make_generator;
 using testing::PoseGraphSimulation;
@@ -164,5 +163,4 @@ TEST(MarginalCovariance, AnOpenPoseIsAnError) {
   EXPECT_THROW(MarginalCovariance{graph}, ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::marginal_covariance_test

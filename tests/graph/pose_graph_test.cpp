@@ -11,8 +11,7 @@
 #include "setsquare/graph/pose_equations.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::pose_graph_test {
 
 using ::testing::HasSubstr;
 
@@ -118,5 +117,4 @@ TEST(PoseGraph, WhatIsWrongIsNamed) {
               HasSubstr("negative"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::pose_graph_test

@@ -11,8 +11,7 @@
 #include "tests/graph/simulated_pose_graph.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::robust_pose_graph_test {
 
 using testing::make_generator;
 using testing::mean_position_error_m;
@@ -243,5 +242,4 @@ TEST(RobustPoseGraph, ParametersAreChecked) {
   EXPECT_NO_THROW(solve_robustly(empty));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::robust_pose_graph_test

@@ -11,8 +11,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::beam_ends_test {
 
 constexpr double kFar_m = 81.83;  // a sensor's code for "nothing there"
 const double kNan = std::nan("");
@@ -89,5 +88,4 @@ TEST(BeamEnds, ParametersAreChecked) {
   EXPECT_THROW(BeamEndParams{.max_joint_m = kNan}.validate(), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::beam_ends_test

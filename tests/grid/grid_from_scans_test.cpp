@@ -11,8 +11,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/rectangular_room.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::grid_from_scans_test {
 
 constexpr double kWidth_m = 9.97;
 constexpr double kDepth_m = 6.97;
@@ -113,5 +112,4 @@ TEST(GridFromScans, NothingGivesASmallUnknownGrid) {
   EXPECT_THROW(static_cast<void>(grid_from_scans({}, 0.0, {.resolution_m = -1.0})), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::grid_from_scans_test

@@ -15,8 +15,7 @@
 #include "setsquare/sim/sensing/simulated_scan.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::grid_quality_test {
 
 /// What was found of the walls that at least five returns came from.
 struct Found {
@@ -163,5 +162,4 @@ TEST(GridQuality, DropOutsNeitherEraseWallsNorClearWhatLiesBehindThem) {
   EXPECT_LT(found.behind_m2, 2.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::grid_quality_test

@@ -6,8 +6,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::occupancy_grid_test {
 
 TEST(OccupancyGrid, StartsUnknown) {
   const OccupancyGrid grid({1.0, 2.0, 0.3}, 0.05, 4, 3);
@@ -48,5 +47,4 @@ TEST(OccupancyGrid, RefusesImpossibleSizes) {
   EXPECT_THROW(OccupancyGrid({}, 0.1, 2'000'000'000, 2'000'000'000), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::occupancy_grid_test

@@ -9,8 +9,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::ray_traversal_test {
 
 constexpr std::int64_t kCell = kSubcellsPerCell;
 
@@ -167,5 +166,4 @@ TEST(Subcell, FloorsTowardsTheLowerLeft) {
   EXPECT_EQ(cell_of(subcell_at(-0.001, 3.999)), (CellIndex{-1, 3}));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::ray_traversal_test

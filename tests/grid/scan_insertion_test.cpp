@@ -12,8 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_insertion_test {
 
 /// A grid of its own with one band that holds all its rows.
 struct CountedGrid {
@@ -156,5 +155,4 @@ TEST(ScanInsertion, ParametersAreChecked) {
   EXPECT_THROW(ScanInsertionParams{.min_log_odds = std::nan("")}.validate(), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_insertion_test

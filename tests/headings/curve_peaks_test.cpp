@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace setsquare {
-namespace {
+namespace setsquare::curve_peaks_test {
 
 TEST(HighestPeaks, FindsTheVertexOfAParabola) {
   std::vector<double> curve(20, 0.0);
@@ -49,5 +48,4 @@ TEST(HighestPeaks, OfNothingAreNone) {
   EXPECT_TRUE(highest_peaks(std::vector<double>{0, 0, 0}, 3, 1).empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::curve_peaks_test

@@ -7,8 +7,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/headings/fusion.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_assignment_test {
 
 constexpr double kPeriod_rad = 0.5 * kPi;
 constexpr double kGate_rad = rad_from_deg(4.0);
@@ -59,5 +58,4 @@ TEST(HeadingAssignment, WhereLittleFitsTheRestIsBelievedLess) {
   EXPECT_NEAR(half.at(0).information, 0.25 * all.at(0).information, 1e-9);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_assignment_test

@@ -8,8 +8,7 @@
 #include "setsquare/headings/equations.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_equations_test {
 
 using testing::make_generator;
 using testing::uniform;
@@ -83,5 +82,4 @@ TEST_P(HeadingEquationsTest, SolutionAndVariancesEqualTheDenseOnes) {
 
 INSTANTIATE_TEST_SUITE_P(Frames, HeadingEquationsTest, ::testing::Values(1U, 2U, 4U));
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_equations_test

@@ -12,8 +12,7 @@
 #include "tests/headings/simulated_headings.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_frames_test {
 
 using testing::HeadingSimulation;
 using testing::make_generator;
@@ -149,5 +148,4 @@ TEST(HeadingFrames, NamesABadParameter) {
   EXPECT_NO_THROW(HeadingFramesParams{}.validate());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_frames_test

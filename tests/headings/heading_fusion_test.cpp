@@ -11,8 +11,7 @@
 #include "tests/headings/simulated_headings.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_fusion_test {
 
 using testing::HeadingSimulation;
 using testing::make_generator;
@@ -208,5 +207,4 @@ TEST(HeadingFusion, WithoutWallsTheTrackedHeadingsStay) {
   EXPECT_TRUE(fuse_headings({}).heading_rad.empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_fusion_test

@@ -11,8 +11,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_proposals_test {
 
 using testing::scan_of_walls;
 using testing::Wall;
@@ -91,5 +90,4 @@ TEST(HeadingProposals, ConfidenceGrowsWithTheMargin) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_proposals_test

@@ -12,8 +12,7 @@
 #include "tests/headings/simulated_headings.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::heading_trace_test {
 
 using testing::HeadingSimulation;
 using testing::make_generator;
@@ -174,5 +173,4 @@ TEST(HeadingTrace, NamesABadParameter) {
   EXPECT_NO_THROW(HeadingTraceParams{}.validate());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::heading_trace_test

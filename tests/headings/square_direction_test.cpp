@@ -13,8 +13,7 @@
 #include "tests/scan/random_points.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::square_direction_test {
 
 using testing::Fan;
 using testing::l_shaped_room;
@@ -122,5 +121,4 @@ TEST(SquareDirectionParams, NamesTheFieldThatIsOutsideItsDomain) {
   EXPECT_THROW((SquareDirectionParams{.pair_weight = -1.0}.validate()), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::square_direction_test

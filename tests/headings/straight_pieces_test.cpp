@@ -11,8 +11,7 @@
 #include "setsquare/scan/scan_to_points.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::straight_pieces_test {
 
 constexpr double kStep_rad = rad_from_deg(0.5);
 const testing::Fan kFan{720, -kPi, kStep_rad};
@@ -98,5 +97,4 @@ TEST(StraightPieces, OfNoPointsAndOfPointsInOnePlaceAreHarmless) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::straight_pieces_test

@@ -10,8 +10,7 @@
 #include "setsquare/headings/equations.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::tridiagonal_test {
 
 using testing::make_generator;
 using testing::uniform;
@@ -68,5 +67,4 @@ TEST(Tridiagonal, OneBoundEndCarriesTheWholeChain) {
 
 TEST(Tridiagonal, NoUnknownsNoSolution) { EXPECT_TRUE(solve(TridiagonalSystem(0)).empty()); }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::tridiagonal_test

@@ -27,8 +27,7 @@
 #include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/scan_tracker.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::building_headings_test {
 
 struct SeededBuilding {
   BuildingClass building_class = BuildingClass::kWings;
@@ -134,5 +133,4 @@ INSTANTIATE_TEST_SUITE_P(DISABLED_TenOfEachClass,
                          ::testing::ValuesIn(ten_of_each_class()),
                          test_name);
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::building_headings_test

@@ -9,8 +9,7 @@
 
 #include "tests/integration/run_setsquare.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_errors_test {
 
 using testing::CommandOutcome;
 using ::testing::HasSubstr;
@@ -157,5 +156,4 @@ TEST(CommandHelp, ShowsDefaultsAndItsOwnExamplesAlone) {
   EXPECT_THAT(run_setsquare("match --help").out, HasSubstr("(default: base)"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_errors_test

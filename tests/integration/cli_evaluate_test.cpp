@@ -17,8 +17,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_evaluate_test {
 
 using testing::CommandOutcome;
 using ::testing::HasSubstr;
@@ -269,5 +268,4 @@ TEST(CommandEvaluate, WhatCouldNotBeMeasuredIsADashOrAnError) {
   EXPECT_THAT(chains.err, HasSubstr("x.relations: no relation between stamps"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_evaluate_test

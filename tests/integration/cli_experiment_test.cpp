@@ -11,8 +11,7 @@
 
 #include "tests/integration/run_setsquare.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_experiment_test {
 
 using testing::CommandOutcome;
 using testing::content_of;
@@ -89,5 +88,4 @@ TEST(CommandExperiment, WithoutItsProgramTheCommandSaysWhatToBuild) {
   EXPECT_THAT(help, HasSubstr("setsquare_experiment"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_experiment_test

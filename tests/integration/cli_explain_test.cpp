@@ -13,8 +13,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_explain_test {
 
 using testing::CommandOutcome;
 using testing::content_of;
@@ -149,5 +148,4 @@ TEST(CommandExplain, RevisitInARealBuilding) {
   EXPECT_GT(content_of(picture).size(), 50'000U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_explain_test

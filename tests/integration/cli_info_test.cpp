@@ -8,8 +8,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_info_test {
 
 using testing::CommandOutcome;
 using ::testing::HasSubstr;
@@ -94,5 +93,4 @@ TEST(CommandEvaluate, RelationsAsTableAndJson) {
   EXPECT_THAT(json.out, HasSubstr(R"("num_relations": 1)"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_info_test

@@ -14,8 +14,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_map_outputs_test {
 
 namespace fs = std::filesystem;
 using testing::CommandOutcome;
@@ -127,5 +126,4 @@ TEST(CommandMapOutputs, RunJsonNamesTheLogTheVersionAndTheOptions) {
   EXPECT_THAT(content_of(folder.path() / "out" / "run.json"), HasSubstr("B\xEF\xBF\xBDro.clf"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_map_outputs_test

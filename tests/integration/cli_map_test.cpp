@@ -14,8 +14,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_map_test {
 
 using testing::CommandOutcome;
 using testing::content_of;
@@ -159,5 +158,4 @@ TEST(CommandMap, ABadLogOrDirectoryLeavesNothingBehind) {
   EXPECT_EQ(run_setsquare("map " + log + " -o " + log).exit_code, 2) << "a file is no directory";
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_map_test

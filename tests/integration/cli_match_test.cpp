@@ -17,8 +17,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_match_test {
 
 using testing::CommandOutcome;
 using ::testing::HasSubstr;
@@ -248,5 +247,4 @@ TEST(CommandMatch, ReportsMarginalStandardDeviations) {
   EXPECT_THAT(run_setsquare("match " + log + " 0 1").out, HasSubstr(heading.data()));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_match_test

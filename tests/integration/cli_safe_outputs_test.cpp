@@ -14,8 +14,7 @@
 #include "tests/integration/run_setsquare.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_safe_outputs_test {
 
 namespace fs = std::filesystem;
 using testing::CommandOutcome;
@@ -171,5 +170,4 @@ TEST(CommandSafeOutputs, AnotherCommandsUnfinishedSetIsNotTouched) {
   expect_refused(folder.path(), "simulate --every 5 -o " + quoted(out), "another command");
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_safe_outputs_test

@@ -14,8 +14,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/xml_fault.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::cli_simulate_test {
 
 using testing::CommandOutcome;
 using testing::content_of;
@@ -213,5 +212,4 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
   expect_error("--field-of-view 400", "--field-of-view: 400 is not a number above 0");
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::cli_simulate_test

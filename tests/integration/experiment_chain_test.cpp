@@ -10,8 +10,7 @@
 #include "experiments/full_mapper.hpp"
 #include "experiments/scan_chain.hpp"
 
-namespace setsquare::experiments {
-namespace {
+namespace setsquare::experiments::experiment_chain_test {
 
 MatchResult answer(MatchStatus status, const Pose2& pose) {
   MatchResult result;
@@ -244,5 +243,4 @@ TEST(ChainErrors, TheAxisOfAPlanIsThatOfItsWalls) {
   EXPECT_NEAR(wrap_to_period(axis_of_plan(plan) - 0.2, 0.5 * kPi), 0.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace setsquare::experiments
+}  // namespace setsquare::experiments::experiment_chain_test

@@ -16,8 +16,7 @@
 #include "setsquare/sim/building/building.hpp"
 #include "setsquare/sim/pairs/pair_geometry.hpp"
 
-namespace setsquare::experiments {
-namespace {
+namespace setsquare::experiments::experiment_page_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -134,5 +133,4 @@ TEST(SmallWorlds, AreWhatTheyAreCalled) {
   EXPECT_FALSE(geometry_in(SmallWorld::kOpenField).is_determined());
 }
 
-}  // namespace
-}  // namespace setsquare::experiments
+}  // namespace setsquare::experiments::experiment_page_test

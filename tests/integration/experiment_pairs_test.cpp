@@ -10,8 +10,7 @@
 #include "experiments/paper_experiment.hpp"
 #include "setsquare/core/error.hpp"
 
-namespace setsquare::experiments {
-namespace {
+namespace setsquare::experiments::experiment_pairs_test {
 
 MatchResult matched_at(const Pose2& pose) {
   MatchResult result;
@@ -130,5 +129,4 @@ TEST(PaperExperiment, AnUnknownSectionIsRefused) {
   EXPECT_THROW(static_cast<void>(run_paper_experiment(params)), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare::experiments
+}  // namespace setsquare::experiments::experiment_pairs_test

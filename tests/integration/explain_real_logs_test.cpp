@@ -14,8 +14,7 @@
 #include "setsquare/report/match/story/verdict_rules.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::explain_real_logs_test {
 
 std::vector<Scan> first_scans(const std::string& path, std::size_t count) {
   std::vector<Scan> scans;
@@ -47,5 +46,4 @@ TEST(ExplainOnRealLogs, TheRulesComeToTheMatchersOwnVerdict) {
   EXPECT_GE(met.size(), 3U);  // matched, ambiguous, degenerate
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::explain_real_logs_test

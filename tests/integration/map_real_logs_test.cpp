@@ -19,8 +19,7 @@
 #include "setsquare/mapping/mapper_params.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_real_logs_test {
 
 using testing::data_file;
 
@@ -55,12 +54,6 @@ Map map_log(const std::string& path,
     mapper.add(record->scan, uses_odometry ? record->T_odom_base : std::nullopt);
   }
   return mapper.finish();
-}
-
-Trajectory trajectory_of(const Map& track) {
-  Trajectory trajectory;
-  for (const MappedScan& scan : track.scans) trajectory.push_back({scan.stamp, scan.T_map_base});
-  return trajectory;
 }
 
 struct RealLog {
@@ -157,5 +150,4 @@ TEST(MapRealLogs, AnyNumberOfThreadsGivesTheSamePoses) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_real_logs_test

@@ -10,8 +10,7 @@
 
 #include "apps/setsquare/map/timing.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_timing_test {
 
 using app::MapTiming;
 using app::StageClock;
@@ -72,5 +71,4 @@ TEST(PeakMemory, GrowsWithWhatIsUsed) {
   EXPECT_EQ(block.back(), 'x');
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_timing_test

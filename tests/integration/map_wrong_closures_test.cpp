@@ -26,8 +26,7 @@
 #include "tests/support/data_dir.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_wrong_closures_test {
 
 using testing::data_file;
 using testing::num_closures;
@@ -234,5 +233,4 @@ TEST(WrongClosuresInABuilding, DISABLED_EvenMostOfAll) {
   expect_same_map(map_of_the_paper_building(), wrong_beyond_doubt(0.6), 3);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_wrong_closures_test

@@ -18,8 +18,7 @@
 #include "setsquare/matching/scan_matcher.hpp"
 #include "tests/support/data_dir.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_real_logs_test {
 
 using testing::data_file;
 
@@ -170,5 +169,4 @@ TEST(MatchRealLogs, ReachTheirTargets) {
   EXPECT_LE(percent(all.num_wrong, all.num_matched), 0.25);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_real_logs_test

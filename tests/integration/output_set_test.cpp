@@ -19,8 +19,7 @@
 #include "tests/support/seed.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::output_set_test {
 
 namespace fs = std::filesystem;
 using app::OutputSet;
@@ -201,5 +200,4 @@ TEST_F(OutputSetTest, ADirectoryInAFilesPlaceIsToldAtOnce) {
   EXPECT_EQ(entries(), std::set<std::string>{"map.png"});
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::output_set_test

@@ -11,8 +11,7 @@
 #include "tests/io/read_all.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::carmen_log_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -224,5 +223,4 @@ TEST(CarmenLog, WhatIsReadDoesNotDependOnHowBytesArrive) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::carmen_log_test

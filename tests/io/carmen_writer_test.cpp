@@ -14,8 +14,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::carmen_writer_test {
 
 using ::testing::HasSubstr;
 using testing::PoseNear;
@@ -134,5 +133,4 @@ TEST(CarmenWriter, RefusesWhatTheFormatCannotState) {
   EXPECT_EQ(log, "") << "no half line";
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::carmen_writer_test

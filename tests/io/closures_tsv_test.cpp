@@ -12,8 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::closures_tsv_test {
 
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -103,5 +102,4 @@ TEST(ClosuresTsv, AMissingFileIsNamed) {
   EXPECT_THROW(static_cast<void>(read_closures_tsv("/no/such.tsv")), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::closures_tsv_test

@@ -10,8 +10,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/io/read_all.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::gzip_source_test {
 
 std::string gzip(std::string bytes) {
   z_stream stream{};
@@ -93,5 +92,4 @@ TEST(FileSource, SaysWhyAFileCannotBeRead) {
   EXPECT_THROW(static_cast<void>(directory->read(block)), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::gzip_source_test

@@ -10,8 +10,7 @@
 
 #include "tests/io/read_all.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::line_reader_test {
 
 using ::testing::ElementsAre;
 
@@ -64,5 +63,4 @@ TEST(LineReader, TheLongestLineIsWhole) {
   EXPECT_EQ(reader.next(), "b");
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::line_reader_test

@@ -4,8 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace setsquare {
-namespace {
+namespace setsquare::log_survey_test {
 
 Timestamp seconds(double value) { return timestamp_from_seconds(value); }
 
@@ -106,5 +105,4 @@ TEST(LogSurvey, KeepsLasersApart) {
   EXPECT_EQ(survey.sensors.at("RLASER").stamps.num_stamps, 1U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::log_survey_test

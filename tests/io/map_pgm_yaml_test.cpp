@@ -13,8 +13,7 @@
 #include "tests/io/read_all.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_pgm_yaml_test {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
@@ -171,5 +170,4 @@ TEST(MapPgmYaml, TheImageLiesBesideTheYamlAndBeginsAtItsTop) {
   EXPECT_THROW(static_cast<void>(read_map_pgm_yaml((folder / "map.yaml").string())), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_pgm_yaml_test

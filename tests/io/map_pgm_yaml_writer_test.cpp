@@ -19,8 +19,7 @@
 #include "tests/support/seed.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_pgm_yaml_writer_test {
 
 namespace fs = std::filesystem;
 
@@ -211,5 +210,4 @@ TEST_F(MapOnDisk, OldFilesStayWhereOneOfTheNewCannotBeWritten) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "no temporary file is left";
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_pgm_yaml_writer_test

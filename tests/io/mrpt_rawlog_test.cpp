@@ -12,8 +12,7 @@
 #include "tests/io/read_all.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::mrpt_rawlog_test {
 
 using ::testing::HasSubstr;
 using testing::mrpt_container;
@@ -194,5 +193,4 @@ TEST(MrptRawlog, WhatIsReadDoesNotDependOnHowBytesArrive) {
   EXPECT_TRUE(log.problems.empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::mrpt_rawlog_test

@@ -11,8 +11,7 @@
 #include "tests/io/read_all.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::open_log_test {
 
 using ::testing::Each;
 using ::testing::Field;
@@ -152,5 +151,4 @@ TEST(OpenLog, TheEndStaysTheEnd) {
   EXPECT_EQ(reader->next(), nullptr);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::open_log_test

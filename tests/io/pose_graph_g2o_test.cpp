@@ -13,8 +13,7 @@
 #include "tests/support/seed.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::pose_graph_g2o_test {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -235,5 +234,4 @@ TEST(PoseGraphG2o, AMissingFileIsNamed) {
   EXPECT_THROW(static_cast<void>(read_pose_graph_g2o("/no/such.g2o")), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::pose_graph_g2o_test

@@ -14,8 +14,7 @@
 #include "tests/support/data_dir.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::real_logs_test {
 
 struct LogFacts {
   std::string file;
@@ -119,5 +118,4 @@ TEST(RealRawlog, TelecomFaculty) {
   EXPECT_TRUE(reader->problems().empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::real_logs_test

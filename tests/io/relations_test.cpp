@@ -8,9 +8,9 @@
 #include <string>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::relations_test {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -69,5 +69,4 @@ TEST(Relations, AMissingFileIsNamed) {
   EXPECT_THROW(static_cast<void>(read_relations("/no/such.relations")), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::relations_test

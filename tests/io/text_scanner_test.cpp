@@ -10,8 +10,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::text_scanner_test {
 
 // The short-decimal path must give the very double that strtod gives.
 TEST(TextScanner, NumbersEqualStrtodBitForBit) {
@@ -70,5 +69,4 @@ TEST(TextScanner, CountsAreWholeAndFit) {
   EXPECT_FALSE(TextScanner("99999999999").count());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::text_scanner_test

@@ -9,12 +9,12 @@
 #include <string>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::trajectory_tum_test {
 
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
@@ -80,5 +80,4 @@ TEST(TrajectoryTum, NothingIsLeftWhereItCannotBeWritten) {
   EXPECT_THROW(write_trajectory_tum("/no/such/folder/t.tum", {}), FileError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::trajectory_tum_test

@@ -14,8 +14,7 @@
 #include "setsquare/io/tables/pose_graph_g2o.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::writers_locale_test {
 
 /// As in German: a comma before decimals, a point between thousands.
 class CommaPoint final : public std::numpunct<char> {
@@ -63,5 +62,4 @@ TEST(Writers, WriteTheSameUnderAnyGlobalLocale) {
   EXPECT_EQ(all_texts(), before);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::writers_locale_test

@@ -8,8 +8,7 @@
 #include <memory>
 #include <string>
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_summary_test {
 
 /// Ten scans along x, 0.5 m apart; each status is seen; the last three are not joined.
 Map ten_scans() {
@@ -121,5 +120,4 @@ TEST(Map, EveryStatusHasAName) {
   EXPECT_STREQ(to_string(TrackStatus::kLost), "lost");
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_summary_test

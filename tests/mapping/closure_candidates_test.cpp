@@ -11,8 +11,7 @@
 #include "setsquare/mapping/loops/candidates.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::closure_candidates_test {
 
 using testing::uniform;
 
@@ -221,5 +220,4 @@ TEST(ClosureCandidates, RefuseParametersThatAreNone) {
                ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::closure_candidates_test

@@ -7,8 +7,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/mapping/loops/verdict.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::closure_verdict_test {
 
 const ClosureVerdictParams kParams;
 
@@ -193,5 +192,4 @@ TEST(ComparedPlaces, BecomeAConstraint) {
   EXPECT_EQ(constraint.weight, 1.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::closure_verdict_test

@@ -9,8 +9,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::keyframe_track_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -128,5 +127,4 @@ TEST(KeyframeTrack, TheCovarianceIsTurnedIntoTheFrameOfTheKeyframeBefore) {
 
 TEST(KeyframeTrack, NoKeyframesNoGraph) { EXPECT_TRUE(pose_graph_of({}, {}).T_map_node.empty()); }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::keyframe_track_test

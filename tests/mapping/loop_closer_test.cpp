@@ -11,8 +11,7 @@
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::loop_closer_test {
 
 using testing::between;
 using testing::PoseNear;
@@ -158,5 +157,4 @@ TEST(LoopCloser, RefusesParametersThatAreNone) {
   EXPECT_THROW(LoopCloser{no_noise}, ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::loop_closer_test

@@ -10,8 +10,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_assembly_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -156,5 +155,4 @@ TEST(PiecesOfTrack, ShareOutAllScans) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_assembly_test

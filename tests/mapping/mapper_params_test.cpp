@@ -13,8 +13,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/mapping/mapper.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::mapper_params_test {
 
 /// What the error says; empty where there is none.
 std::string complaint(const std::function<void(MapperParams&)>& spoil) {
@@ -200,5 +199,4 @@ TEST(MapperParams, FieldsThatDoNotGoTogetherAreNamed) {
             std::string::npos);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::mapper_params_test

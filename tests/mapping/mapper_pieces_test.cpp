@@ -10,8 +10,7 @@
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::mapper_pieces_test {
 
 using testing::between;
 using testing::drive;
@@ -185,5 +184,4 @@ TEST(MapperPieces, ARobotThatStandsKeepsOneKeyframe) {
   EXPECT_EQ(track.keyframes.size(), 1U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::mapper_pieces_test

@@ -13,8 +13,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/tracking/simulated_drive.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::mapper_test {
 
 using testing::between;
 using testing::drive;
@@ -120,5 +119,4 @@ TEST(Mapper, RefusesAScanThatIsNone) {
   EXPECT_THROW(mapper.add(scan), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::mapper_test

@@ -12,8 +12,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/tracking/simulated_drive.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::paper_mapper_test {
 
 using testing::between;
 using testing::drive;
@@ -128,5 +127,4 @@ TEST(PaperMapper, BlankScansCostNoOther) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::paper_mapper_test

@@ -10,8 +10,7 @@
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::piece_joining_test {
 
 using testing::between;
 using testing::drive;
@@ -201,5 +200,4 @@ TEST(PieceJoining, RefusesParametersThatAreNone) {
   EXPECT_THROW(static_cast<void>(join_pieces({}, {}, {}, no_queries, 1)), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::piece_joining_test

@@ -10,8 +10,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::place_signature_test {
 
 using testing::uniform;
 using testing::Wall;
@@ -111,5 +110,4 @@ TEST(NearestSignatures, AreTheFirstOfAllInOrder) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::place_signature_test

@@ -7,8 +7,7 @@
 #include "setsquare/mapping/loops/candidates.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::position_hash_test {
 
 using testing::uniform;
 
@@ -42,5 +41,4 @@ TEST(PositionHash, VisitsAllInTheSquareOnceAndNothingFarFromIt) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::position_hash_test

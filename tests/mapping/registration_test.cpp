@@ -9,8 +9,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::registration_test {
 
 using testing::between;
 using testing::PoseNear;
@@ -172,5 +171,4 @@ TEST(Registration, RefusesParametersThatAreNone) {
   EXPECT_THROW(RegistrationParams{.point_sigma_m = 0.0}.validate(), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::registration_test

@@ -11,8 +11,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::submap_matcher_test {
 
 using testing::between;
 using testing::PoseNear;
@@ -225,5 +224,4 @@ TEST(SubmapMatcher, RefusesParametersThatAreNone) {
   EXPECT_THROW(SubmapMatchParams{.distinct_m = 0.0}.validate(), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::submap_matcher_test

@@ -7,8 +7,7 @@
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::submap_test {
 
 using testing::between;
 using testing::PoseNear;
@@ -75,5 +74,4 @@ TEST(Submap, ItsSamplesLieOnTheWalls) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::submap_test

@@ -8,8 +8,7 @@
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::track_assembly_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -89,5 +88,4 @@ TEST(TrackAssembly, HeadingsSlideTheShortWay) {
 
 TEST(TrackAssembly, NothingInNothingOut) { EXPECT_TRUE(assemble_track({}, {}).empty()); }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::track_assembly_test

@@ -13,8 +13,7 @@
 #include "setsquare/mapping/mapper.hpp"
 #include "tests/tracking/simulated_drive.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::track_certainty_test {
 
 using testing::drive;
 using testing::scans_on_drive;
@@ -188,5 +187,4 @@ TEST(TrackCertainty, NoGraphNoCertainty) {
   EXPECT_TRUE(open_stretches({}).empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::track_certainty_test

@@ -10,8 +10,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::base_frame_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -128,5 +127,4 @@ TEST(BaseFrame, WhatIsAbsentStaysAbsent) {
   EXPECT_FALSE(nothing.degenerate_direction_rad.has_value());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::base_frame_test

@@ -8,8 +8,7 @@
 #include "setsquare/matching/candidates.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::candidate_test {
 
 using testing::uniform;
 
@@ -95,5 +94,4 @@ TEST(AreSame, BothTranslationAndRotationDecide) {
   EXPECT_FALSE(are_same(a, {1.0, 2.0, wrap_to_pi(3.21)}, params));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::candidate_test

@@ -12,8 +12,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::distinct_wall_test {
 
 using testing::uniform;
 
@@ -121,5 +120,4 @@ TEST(DistinctWall, FallsAsTheScansAreMovedApart) {
   EXPECT_LT(apart_m, 0.4 * together_m);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::distinct_wall_test

@@ -15,8 +15,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::exhaustive_match_test {
 
 struct ScoredPose {
   Pose2 T_reference_current;
@@ -98,5 +97,4 @@ TEST(ExhaustiveMatch, FindsNothingBetterThanTheSearch) {
   EXPECT_EQ(num_outdone, 0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::exhaustive_match_test

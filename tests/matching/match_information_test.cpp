@@ -13,8 +13,7 @@
 #include "setsquare/sim/sensing/simulated_scan.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_information_test {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -176,5 +175,4 @@ TEST(MatchInformation, PromisesWhatIsKeptWhereTheRobotStands) {
   EXPECT_GE(claims.share_below(7.81), 0.90);  // The 95 % point of three degrees of freedom.
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_information_test

@@ -12,8 +12,7 @@
 #include "setsquare/matching/scan_matcher.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_params_test {
 
 struct BadField {
   const char* name;
@@ -135,5 +134,4 @@ TEST(Match, NamesTheScanGeometryThatIsNone) {
   EXPECT_THROW((void)match(bad, good), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_params_test

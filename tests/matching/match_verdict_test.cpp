@@ -10,8 +10,7 @@
 #include "setsquare/matching/verdict.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_verdict_test {
 
 /// The evidence of a good match, with margin to every rule.
 struct Case {
@@ -269,5 +268,4 @@ TEST(WallConstraint, ARoundHallHoldsNoRotationAndACorridorNoMotionAlongIt) {
   EXPECT_GT(corridor.turning_m3, 50.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_verdict_test

@@ -12,8 +12,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_matcher_honesty_test {
 
 using testing::Fan;
 using testing::PoseNear;
@@ -234,5 +233,4 @@ TEST(HonestMatch, RoomsThatHaveNothingInCommonAreSeldomMatched) {
   EXPECT_LE(num_matched, kNumTrials * 2 / 100);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_matcher_honesty_test

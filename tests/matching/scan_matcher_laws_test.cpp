@@ -14,8 +14,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_matcher_laws_test {
 
 using testing::Fan;
 using testing::PoseNear;
@@ -215,5 +214,4 @@ INSTANTIATE_TEST_SUITE_P(Places, Match, ::testing::ValuesIn(places()), [](const 
   return std::string(tested.param.name);
 });
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_matcher_laws_test

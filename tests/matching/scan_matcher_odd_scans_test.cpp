@@ -14,8 +14,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_matcher_odd_scans_test {
 
 using testing::Fan;
 using testing::scan_of_walls;
@@ -193,5 +192,4 @@ TEST(OddScans, ATraceHoldsNothingOfTheMatchBefore) {
   EXPECT_TRUE(trace.rotations.empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_matcher_odd_scans_test

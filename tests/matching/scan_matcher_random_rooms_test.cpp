@@ -11,8 +11,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_matcher_random_rooms_test {
 
 using testing::uniform;
 
@@ -107,5 +106,4 @@ TEST(RandomRooms, HalfTurnScansThatHardlyOverlapAreSeldomMatchedWrongly) {
   EXPECT_LE(tally.num_wrong, 9);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_matcher_random_rooms_test

@@ -9,8 +9,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::sweep_normal_test {
 
 using testing::uniform;
 
@@ -182,5 +181,4 @@ TEST(SweepNormal, BearingsCountFromTheMiddleOfTheSweep) {
   EXPECT_NEAR(std::abs(bearings_rad[3]), kPi, 0.006);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::sweep_normal_test

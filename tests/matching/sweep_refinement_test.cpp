@@ -15,8 +15,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::sweep_refinement_test {
 
 using testing::uniform;
 
@@ -121,5 +120,4 @@ TEST(SweepRefinement, OfStandingSensorsFindsNextToNoTurn) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::sweep_refinement_test

@@ -12,8 +12,7 @@
 #include "setsquare/core/angle.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::direction_moment_test {
 
 std::vector<std::int32_t> random_profile(std::mt19937_64& generator, std::size_t size) {
   std::vector<std::int32_t> profile(size, 0);
@@ -83,5 +82,4 @@ TEST(DirectionMoment, OfAnEmptyProfileIsZero) {
   EXPECT_EQ(direction_moment(empty, DirectionMoment::kSquaredFrequency), 0.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::direction_moment_test

@@ -12,8 +12,7 @@
 #include "tests/scan/random_points.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::dominant_direction_test {
 
 PointSet room_points(const Pose2& T_world_sensor) {
   return thin(points_from_scan(testing::scan_of_walls(testing::l_shaped_room(), T_world_sensor)),
@@ -131,5 +130,4 @@ TEST(DominantDirection, RefusesAStepThatDoesNotDivideHalfATurn) {
   EXPECT_THROW((DominantDirectionParams{.step_rad = rad_from_deg(0.7)}.validate()), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::dominant_direction_test

@@ -11,8 +11,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::paper_matcher_test {
 
 using testing::Fan;
 using testing::l_shaped_room;
@@ -216,5 +215,4 @@ TEST(PaperParams, NamesTheFieldThatIsOutsideItsDomain) {
   EXPECT_THAT(complaint({.min_num_points = 0}), ::testing::HasSubstr("min_num_points"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::paper_matcher_test

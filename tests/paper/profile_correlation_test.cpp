@@ -7,8 +7,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::profile_correlation_test {
 
 std::vector<double> random_coordinates(std::mt19937_64& generator,
                                        std::size_t size,
@@ -92,5 +91,4 @@ TEST(ShiftSearch, RefusesStepsThatDoNotFit) {
   EXPECT_THROW((ShiftSearch{-1.0, 0.005}.validate(ProfileBins{})), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::profile_correlation_test

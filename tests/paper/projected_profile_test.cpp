@@ -10,8 +10,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/scan/random_points.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::projected_profile_test {
 
 /// f of eq. (6), literally.
 int f(double rho_m, int kappa, const ProfileBins& bins) {
@@ -91,5 +90,4 @@ TEST(ProfileBins, RefusesBinsThatDoNotFillTheRange) {
   EXPECT_THROW((ProfileBins{1e-9, 10.0}.validate()), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::projected_profile_test

@@ -8,8 +8,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::thinning_test {
 
 bool is_nearer(const PointSet& kept, std::size_t k, double x_m, double y_m, double spacing_m) {
   const double dx_m = kept.x_m[k] - x_m;
@@ -114,5 +113,4 @@ TEST(Thinning, AcceptsNoPointsAndPointsFarAway) {
   EXPECT_EQ(thin(far, 0.08).size(), 2U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::thinning_test

@@ -9,8 +9,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::zncc_test {
 
 /// The textbook's two passes.
 double zncc_in_two_passes(const std::vector<std::int32_t>& a, const std::vector<std::int32_t>& b) {
@@ -77,5 +76,4 @@ TEST(Zncc, IsZeroWhereAProfileIsFlat) {
   EXPECT_EQ(zncc({}, {}), 0.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::zncc_test

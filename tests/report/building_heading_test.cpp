@@ -10,8 +10,7 @@
 #include "setsquare/core/angle.hpp"
 #include "tests/support/rectangular_room.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::building_heading_test {
 
 double measured_heading_rad(const Pose2& T_map_room) {
   std::vector<Scan> scans;
@@ -47,5 +46,4 @@ TEST(BuildingHeading, NothingSeenIsZero) {
   EXPECT_EQ(building_heading_rad({&placed, 1}), 0.0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::building_heading_test

@@ -6,8 +6,7 @@
 
 #include "tests/support/rectangular_room.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::contradictions_test {
 
 TEST(Contradictions, AreThePointsBeforeTheWalls) {
   const Pose2 T_room_sensor{4.0, 3.0, 0.5};
@@ -34,5 +33,4 @@ TEST(Contradictions, BeamsThatTellNothingContradictNothing) {
   EXPECT_EQ(contradictions({}, points, {}).size(), 0U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::contradictions_test

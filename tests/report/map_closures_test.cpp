@@ -11,8 +11,7 @@
 #include "setsquare/report/map/picture.hpp"
 #include "setsquare/report/palette.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_closures_test {
 
 Timestamp at_second(int second) { return timestamp_from_seconds(second); }
 
@@ -118,5 +117,4 @@ TEST_F(ClosedLoop, SameClosuresSameBytes) {
   EXPECT_EQ(png_from_image(picture(closures)), png_from_image(picture(closures)));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_closures_test

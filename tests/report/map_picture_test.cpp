@@ -12,8 +12,7 @@
 #include "setsquare/report/map/raster.hpp"
 #include "setsquare/report/palette.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_picture_test {
 
 /// A floor plan, its first line the highest row: '#' wall, '.' free, ' ' unknown. One cell a metre.
 OccupancyGrid grid_from_plan(const std::vector<std::string>& plan, const Pose2& T_map_grid = {}) {
@@ -202,5 +201,4 @@ TEST(MapPicture, NothingKnownIsStillAPicture) {
   EXPECT_THROW(MapPictureParams{.max_side_px = 3}.validate(), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_picture_test

@@ -14,8 +14,7 @@
 #include "setsquare/report/map/page_data.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_report_packing_test {
 
 /// The plain twin of the page's reader: bytes from base64, letter by letter.
 std::string bytes_from_base64(std::string_view text) {
@@ -90,5 +89,4 @@ TEST(Quantised, RoundsAndStandsWhatIsNoNumber) {
   EXPECT_EQ(quantised(-kInfinity, 1e-3), -(std::int64_t{1} << 50));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_report_packing_test

@@ -13,8 +13,7 @@
 #include "setsquare/report/map/page_data.hpp"
 #include "setsquare/report/map/page_image.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::map_report_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -104,7 +103,8 @@ TEST(MapReport, TextCannotLeaveItsPlace) {
 }
 
 TEST(MapReport, ShowsTheTitleAsItIs) {
-  MapReport report = drive(50, 1, 5);
+  const Map map = drive(50, 1, 5);
+  MapReport report = report_of(map);
   report.title = "B\xc3\xbcro_\xe6\x97\xa5\xe6\x9c\xac.clf";
   const std::string html = map_report_html(report);
   EXPECT_THAT(html, HasSubstr("<title>" + report.title + "</title>"));
@@ -172,5 +172,4 @@ TEST(MapReportImage, IsNothingWhereNothingIsKnown) {
   EXPECT_FALSE(map_report_image(OccupancyGrid({}, 0.1, 5, 5)));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::map_report_test

@@ -10,8 +10,7 @@
 #include "tests/support/rectangular_room.hpp"
 #include "tests/support/xml_fault.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_report_test {
 
 using ::testing::HasSubstr;
 using ::testing::Not;
@@ -104,5 +103,4 @@ INSTANTIATE_TEST_SUITE_P(Presets, MatchReport, ::testing::Bool(), [](const auto&
   return tested.param ? "Paper" : "Default";
 });
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_report_test

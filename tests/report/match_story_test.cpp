@@ -15,8 +15,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rectangular_room.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_story_test {
 
 using testing::PoseNear;
 using testing::scan_of_room;
@@ -133,5 +132,4 @@ TEST(Story, ScansWithoutReturnsAreToldToo) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_story_test

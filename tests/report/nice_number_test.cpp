@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace setsquare {
-namespace {
+namespace setsquare::nice_number_test {
 
 TEST(NiceNumber, IsOneTwoOrFiveTimesAPowerOfTen) {
   EXPECT_DOUBLE_EQ(nice_number_below(1.0), 1.0);
@@ -45,5 +44,4 @@ TEST(DecimalsForStep, TellNeighboursApart) {
   EXPECT_EQ(decimals_for_step(100.0), 0);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::nice_number_test

@@ -14,8 +14,7 @@
 #include "tests/support/temporary_folder.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::save_map_test {
 
 using ::testing::Contains;
 using ::testing::ElementsAre;
@@ -97,5 +96,4 @@ TEST(RunJson, KeepsTextsOfTheUserAsTheyAre) {
   EXPECT_THAT(json, HasSubstr("\"odometry\": false"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::save_map_test

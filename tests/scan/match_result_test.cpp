@@ -7,8 +7,7 @@
 #include <cmath>
 #include <Eigen/LU>
 
-namespace setsquare {
-namespace {
+namespace setsquare::match_result_test {
 
 MatchResult result_with(const Eigen::Matrix3d& information) {
   MatchResult result;
@@ -52,5 +51,4 @@ TEST(MarginalSigmas, NothingWhereADirectionIsOpen) {
   EXPECT_FALSE(marginal_sigmas(MatchResult{}));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::match_result_test

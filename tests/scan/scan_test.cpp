@@ -8,8 +8,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -90,5 +89,4 @@ TEST(Scan, ValidateNamesTheFieldThatIsNoScans) {
   EXPECT_NE(complaint(scan).find("max_range_m"), std::string::npos);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_test

@@ -7,8 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_to_points_test {
 
 /// Every point at its beam's range and bearing.
 void expect_points_on_beams(const Scan& scan) {
@@ -57,5 +56,4 @@ TEST(PointsFromScan, LeavesOutWhatIsNoReturn) {
 
 TEST(PointsFromScan, AnEmptyScanHasNoPoints) { EXPECT_TRUE(points_from_scan(Scan{}).empty()); }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_to_points_test

@@ -14,8 +14,7 @@
 
 // How hard the buildings are, by their geometry alone: nothing here knows a matcher.
 
-namespace setsquare {
-namespace {
+namespace setsquare::building_difficulty_test {
 
 struct Difficulty {
   double clutter_returns = 0.0;
@@ -76,5 +75,4 @@ TEST(BuildingDifficultyTest, HalfOfThePairsOverlapLittleAndAFifthOfTheReturnsAre
   EXPECT_LE(pooled.undetermined / pooled.pairs_from_45, 0.05);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::building_difficulty_test

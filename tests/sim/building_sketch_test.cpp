@@ -4,8 +4,7 @@
 
 #include "setsquare/sim/building/sketch.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::building_sketch_test {
 
 double length_of_walls(const std::vector<Space>& spaces) {
   double length = 0.0;
@@ -45,5 +44,4 @@ TEST(BuildingShapesTest, InsideIntervalOfALineThroughABox) {
   EXPECT_TRUE(inside_interval(square, {0.0, 1.0}, {4.0, 1.0}).is_empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::building_sketch_test

@@ -10,8 +10,7 @@
 #include "setsquare/sim/sensing/robot_path.hpp"
 #include "tests/sim/clearance.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::building_test {
 
 constexpr double kRobotClearance_m = 0.35;
 
@@ -69,5 +68,4 @@ TEST_P(BuildingTest, SameSeedGivesTheSameBuilding) {
   EXPECT_NE(first.route_m, other.route_m);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::building_test

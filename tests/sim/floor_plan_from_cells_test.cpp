@@ -12,8 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::floor_plan_from_cells_test {
 
 /// Cells of 0.5 m from a picture, whose last row is the lowest.
 PlanCells cells_from(const std::vector<std::string>& picture) {
@@ -107,5 +106,4 @@ TEST(FloorPlanFromCells, RefusesCellsThatAreNone) {
   EXPECT_THROW(static_cast<void>(floor_plan_from_cells(cells)), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::floor_plan_from_cells_test

@@ -11,8 +11,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::floor_plan_svg_test {
 
 using ::testing::HasSubstr;
 
@@ -220,5 +219,4 @@ TEST(FloorPlanSvg, ACutDocumentIsNeverACrash) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::floor_plan_svg_test

@@ -12,8 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::odometry_model_test {
 
 using testing::PoseNear;
 
@@ -127,5 +126,4 @@ TEST(OdometryModel, NamesTheBadParameter) {
   EXPECT_THROW(OdometryModel(params, 1), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::odometry_model_test

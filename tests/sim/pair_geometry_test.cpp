@@ -14,8 +14,7 @@
 #include "tests/sim/plans.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare::testing {
-namespace {
+namespace setsquare::testing::pair_geometry_test {
 
 double distance_to_piece_m(const SurfacePiece& piece, const Eigen::Vector2d& p_m) {
   const Eigen::Vector2d way = piece.end_m - piece.start_m;
@@ -199,5 +198,4 @@ TEST(VisibleSurfaceTest, ARoomIsOneChainOfItsWalls) {
   EXPECT_NEAR(returns_m, 20.0, 0.1);
 }
 
-}  // namespace
-}  // namespace setsquare::testing
+}  // namespace setsquare::testing::pair_geometry_test

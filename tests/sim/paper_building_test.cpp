@@ -10,8 +10,7 @@
 #include "setsquare/sim/sensing/robot_path.hpp"
 #include "tests/sim/clearance.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::paper_building_test {
 
 constexpr double kSpacing_m = 0.4;
 constexpr double kSpacing_rad = rad_from_deg(10.0);
@@ -93,5 +92,4 @@ TEST(PaperHallwayTest, NeighboursOverlapByHalfAndTheEndsByLittle) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::paper_building_test

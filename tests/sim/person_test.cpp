@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace setsquare {
-namespace {
+namespace setsquare::person_test {
 
 Eigen::Vector2d middle_of(const std::vector<Disc>& legs) {
   return 0.5 * (legs[0].center_m + legs[1].center_m);
@@ -54,5 +53,4 @@ TEST(LegsTest, WhoStandsStands) {
   for (int leg = 0; leg < 4; ++leg) EXPECT_EQ(early[leg].center_m, late[leg].center_m);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::person_test

@@ -13,8 +13,7 @@
 #include "tests/sim/plans.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare::testing {
-namespace {
+namespace setsquare::testing::ray_casting_test {
 
 Eigen::Vector2d random_direction(std::mt19937_64& generator) {
   const double lot = uniform(generator, 0.0, 1.0);
@@ -191,5 +190,4 @@ TEST(RayCasterTest, TwoThreadsCastAtOnce) {
   EXPECT_EQ(second_m, alone_m);
 }
 
-}  // namespace
-}  // namespace setsquare::testing
+}  // namespace setsquare::testing::ray_casting_test

@@ -12,8 +12,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare::testing {
-namespace {
+namespace setsquare::testing::robot_path_test {
 
 using Route = std::vector<Eigen::Vector2d>;
 
@@ -169,5 +168,4 @@ TEST(SampleTimesTest, SamplesAreOneStepApartInDistanceOrAngle) {
   EXPECT_THROW(static_cast<void>(sample_times(RobotPath({{0, 0}}), 1.0, 0.0)), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare::testing
+}  // namespace setsquare::testing::robot_path_test

@@ -7,8 +7,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scanner_model_test {
 
 double last_bearing_deg(const ScannerModel& model) {
   return deg_from_rad(model.first_bearing_rad +
@@ -64,5 +63,4 @@ TEST(ScannerModelTest, RefusesWhatIsNoScanner) {
   EXPECT_THROW(static_cast<void>(with_field_of_view(utm_30lx(), 7.0)), ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scanner_model_test

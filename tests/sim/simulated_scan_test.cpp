@@ -12,8 +12,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare::testing {
-namespace {
+namespace setsquare::testing::simulated_scan_test {
 
 /// Measures exactly what is there.
 ScannerModel perfect_scanner() {
@@ -261,5 +260,4 @@ TEST(SimulatedScanTest, TheBeamCountChangesButNotTheField) {
   EXPECT_THAT(most, ::testing::AllOf(::testing::Ge(365u), ::testing::Le(368u)));
 }
 
-}  // namespace
-}  // namespace setsquare::testing
+}  // namespace setsquare::testing::simulated_scan_test

@@ -6,8 +6,7 @@
 
 #include <algorithm>
 
-namespace setsquare {
-namespace {
+namespace setsquare::study_sampling_test {
 
 TEST(StudySamplingTest, TimesAscendFromARandomPlaceOn) {
   const RobotPath path({{0.0, 0.0}, {80.0, 0.0}});
@@ -38,5 +37,4 @@ TEST(StudySamplingTest, AShortPathIsSampledEvenly) {
   EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::study_sampling_test

@@ -10,8 +10,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::alignment_test {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
@@ -223,5 +222,4 @@ TEST(Alignment, SharesAreSharesAtAnyPose) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::alignment_test

@@ -11,8 +11,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::angle_histogram_test {
 
 constexpr int kNumBins = AngleHistogram::kNumBins;
 const testing::Fan kFullTurn{720, -kPi, rad_from_deg(0.5)};
@@ -110,5 +109,4 @@ TEST(ProposeRotations, KnowNothingOfScansWithoutWalls) {
   EXPECT_TRUE(propose_rotations(empty, empty, 6).empty());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::angle_histogram_test

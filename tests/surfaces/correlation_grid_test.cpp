@@ -14,8 +14,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::correlation_grid_test {
 
 using testing::uniform;
 
@@ -242,5 +241,4 @@ TEST(CorrelationGrid, KeepsWithinItsBordersHoweverFarTheReturns) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::correlation_grid_test

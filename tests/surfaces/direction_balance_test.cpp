@@ -9,8 +9,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::direction_balance_test {
 
 /// `count` points of 10 cm of wall that faces a direction; clutter where there is none.
 struct Stretch {
@@ -111,5 +110,4 @@ TEST(DirectionBalance, ATurnByWholeBinsChangesNoWeight) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::direction_balance_test

@@ -8,8 +8,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::sample_comparison_test {
 
 constexpr float kInverseTolerance = 5.0F;
 
@@ -63,5 +62,4 @@ TEST(SampleComparison, CountsByTheWayThatASampleFaces) {
   EXPECT_EQ(facing_weight(compare(2.0F, 0.0F, 0.0F)), kClutterWeight);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::sample_comparison_test

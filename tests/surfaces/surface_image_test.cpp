@@ -9,8 +9,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::surface_image_test {
 
 using testing::Fan;
 using testing::uniform;
@@ -164,5 +163,4 @@ TEST(SurfaceImage, StaysFiniteForReturnsAtTheSensor) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::surface_image_test

@@ -11,8 +11,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::surface_points_test {
 
 using testing::Fan;
 using testing::scan_of_walls;
@@ -166,5 +165,4 @@ TEST(SurfaceParams, NamesTheFieldThatIsOutsideItsDomain) {
   EXPECT_THAT(complaint({.max_weight_m = 0.0}), ::testing::HasSubstr("max_weight_m"));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::surface_points_test

@@ -9,8 +9,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::surface_samples_test {
 
 double total(const std::vector<float>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0);
@@ -101,5 +100,4 @@ TEST(SampleSurface, TakesAllPointsWhereTheyAreNoMore) {
   EXPECT_EQ(sample_surface({}, 60).size(), 0U);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::surface_samples_test

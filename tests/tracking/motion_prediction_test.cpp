@@ -8,8 +8,7 @@
 
 #include "tests/support/pose_matchers.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::motion_prediction_test {
 
 using testing::PoseNear;
 using testing::PoseTolerance;
@@ -47,5 +46,4 @@ TEST(MotionPrediction, StandsStillAtTheBeginningAndAfterARestart) {
   EXPECT_EQ(motion.next(std::nullopt), (Pose2{2.0, 1.0, 0.2}));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::motion_prediction_test

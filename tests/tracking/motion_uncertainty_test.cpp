@@ -6,8 +6,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::motion_uncertainty_test {
 
 const MotionUncertaintyParams kParams;
 
@@ -145,5 +144,4 @@ TEST(MotionUncertainty, RefusesWhatIsNoSigma) {
   EXPECT_NO_THROW(kParams.validate());
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::motion_uncertainty_test

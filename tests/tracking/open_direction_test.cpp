@@ -9,8 +9,7 @@
 
 #include "tests/support/seed.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::open_direction_test {
 
 using testing::make_generator;
 using testing::uniform;
@@ -38,5 +37,4 @@ TEST(OpenDirection, OneWallLeavesItsOwnDirectionFree) {
   EXPECT_NEAR(open.direction.dot(normal), 0.0, 1e-12);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::open_direction_test

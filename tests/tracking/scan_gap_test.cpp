@@ -11,8 +11,7 @@
 #include "tests/support/seed.hpp"
 #include "tests/support/walled_world.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_gap_test {
 
 using testing::l_shaped_room;
 using testing::make_generator;
@@ -101,5 +100,4 @@ TEST(ScanGap, ScansThatSeeNothingAreNotAlike) {
   EXPECT_TRUE(gap.add(blind_at(60.0)));
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_gap_test

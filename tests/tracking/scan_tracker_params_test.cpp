@@ -11,8 +11,7 @@
 
 #include "setsquare/core/error.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_tracker_params_test {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -60,5 +59,4 @@ TEST(ScanTrackerParams, ABadFieldIsNamed) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_tracker_params_test

@@ -15,8 +15,7 @@
 #include "tests/support/rooms.hpp"
 #include "tests/tracking/simulated_drive.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::scan_tracker_test {
 
 using testing::bare_corridor;
 using testing::between;
@@ -235,5 +234,4 @@ TEST(ScanTracker, NamesABadParameter) {
   EXPECT_THROW(ScanTracker{params}, ParameterError);
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::scan_tracker_test

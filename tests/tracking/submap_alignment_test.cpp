@@ -12,8 +12,7 @@
 #include "tests/support/pose_matchers.hpp"
 #include "tests/tracking/simulated_drive.hpp"
 
-namespace setsquare {
-namespace {
+namespace setsquare::submap_alignment_test {
 
 using testing::l_shaped_room;
 using testing::PoseNear;
@@ -123,5 +122,4 @@ TEST_F(SubmapAlignmentTest, RefinementFindsThePlaceFromAside) {
   }
 }
 
-}  // namespace
-}  // namespace setsquare
+}  // namespace setsquare::submap_alignment_test

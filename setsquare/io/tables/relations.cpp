@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/tables/number_table.hpp"
 
 namespace setsquare {

@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "setsquare/core/relation.hpp"
-#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
+
+class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
 /// Reads ground truth: one relation a line, "stamp1 stamp2 x y z roll pitch yaw" (m, rad); z, roll
 /// and pitch are read and left out. Empty lines and lines that begin with # are passed over. The

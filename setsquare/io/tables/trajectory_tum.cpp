@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "setsquare/core/save_file.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/tables/number_table.hpp"
 
 namespace setsquare {

@@ -6,9 +6,10 @@
 #include <string>
 
 #include "setsquare/core/trajectory.hpp"
-#include "setsquare/io/bytes/byte_source.hpp"
 
 namespace setsquare {
+
+class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
 /// The TUM format (as evo reads it): one pose a line, "stamp x y z qx qy qz qw", in the order of
 /// the trajectory. Stamps have six decimals, positions (m) six, quaternions nine.
