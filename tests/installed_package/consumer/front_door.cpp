@@ -12,6 +12,7 @@ namespace {
 /// Of a room of 8 x 6 m, from (x, 0) in its middle.
 setsquare::Scan scan_at(double x_m) {
   setsquare::Scan scan;
+  scan.stamp = setsquare::timestamp_from_seconds(10.0 + x_m);
   scan.first_bearing_rad = -setsquare::kPi;
   scan.bearing_step_rad = setsquare::rad_from_deg(1.0);
   scan.max_range_m = 50.0;

@@ -11,7 +11,6 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/matching/match_params.hpp"
-#include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/matching/trace.hpp"
 #include "setsquare/paper/direction_curve.hpp"
 #include "setsquare/paper/dominant_direction.hpp"
@@ -21,6 +20,7 @@
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/scan/point_set.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
 
