@@ -11,6 +11,7 @@
 #include "experiments/page_web.hpp"
 #include "experiments/paper_experiment.hpp"
 #include "setsquare/report/map/page_data.hpp"
+#include "setsquare/report/page_template.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -91,20 +92,6 @@ Json circuit_drawing(const CircuitStudy& study) {
             {"full_mapper", base64(study.mapper_map)}}}};
 }
 
-/// Fit for a script element: no '<', which JSON has within strings only.
-std::string within_script(std::string_view json) {
-  std::string text;
-  text.reserve(json.size());
-  for (const char character : json) {
-    if (character == '<') {
-      text += "\\u003c";
-    } else {
-      text += character;
-    }
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string paper_html(const PaperExperiment& experiment) {
@@ -112,23 +99,11 @@ std::string paper_html(const PaperExperiment& experiment) {
   if (experiment.hallways) drawings["hallway"] = hallway_drawing(experiment.hallways->runs.front());
   if (experiment.circuits) drawings["circuit"] = circuit_drawing(*experiment.circuits);
   // In the order of the page, so that nothing that was put in is taken for a mark.
-  const std::array<std::pair<std::string_view, std::string>, 4> pieces = {
-      {{"@STYLE@", paper_style()},
-       {"@NUMBERS@", within_script(paper_json(experiment))},
-       {"@DRAWINGS@", within_script(drawings.dump())},
-       {"@SCRIPT@", paper_script()}}};
-  const std::string page = paper_page();
-  std::string html;
-  std::size_t done = 0;
-  for (const auto& [mark, text] : pieces) {
-    const std::size_t place = page.find(mark, done);
-    assert(place != std::string::npos);
-    html.append(page, done, place - done);
-    html += text;
-    done = place + mark.size();
-  }
-  html.append(page, done);
-  return html;
+  const std::array<PageMark, 4> marks = {{{"@STYLE@", paper_style()},
+                                          {"@NUMBERS@", json_within_script(paper_json(experiment))},
+                                          {"@DRAWINGS@", json_within_script(drawings.dump())},
+                                          {"@SCRIPT@", paper_script()}}};
+  return filled_page(paper_page(), marks);
 }
 
 }  // namespace setsquare::experiments

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "setsquare/core/median.hpp"
+
 namespace setsquare::experiments {
 namespace {
 
@@ -31,11 +33,8 @@ double share(std::size_t part, std::size_t whole) {
   return whole == 0 ? kNaN : static_cast<double>(part) / static_cast<double>(whole);
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return kNaN;
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  return values.size() % 2 == 1 ? values[middle] : 0.5 * (values[middle - 1] + values[middle]);
+double median(const std::vector<double>& values) {
+  return values.empty() ? kNaN : setsquare::median(values);
 }
 
 void Tally::add(const PairAnswer& answer) {

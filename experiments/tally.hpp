@@ -28,7 +28,7 @@ struct Spread {
 [[nodiscard]] double share(std::size_t part, std::size_t whole);
 
 /// The value below which half of the values lie; NaN where there is none.
-[[nodiscard]] double median(std::vector<double> values);
+[[nodiscard]] double median(const std::vector<double>& values);
 
 /// Counts and errors of many answers.
 struct Tally {

@@ -17,6 +17,7 @@
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/report/map/page_image.hpp"
 #include "setsquare/report/map/raster.hpp"
+#include "setsquare/report/page_template.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
 
 namespace setsquare {
@@ -292,15 +293,7 @@ std::string map_report_json(const MapReport& report) {
   json["headings"] = json_from_headings(map, start);
   json["figures"] = json_from_figures(report.figures);
 
-  std::string safe;
-  for (const char letter : json.dump(-1, ' ', true, Json::error_handler_t::replace)) {
-    if (letter == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += letter;
-    }
-  }
-  return safe;
+  return json_within_script(json.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 
 }  // namespace setsquare
