@@ -58,6 +58,28 @@ def hallways(runs, old):
                   "mean error (sigma) of the successes", "a match"], rows)
 
 
+def hallways_found(runs, _old):
+    """The sentences under the table of hallways."""
+    study = runs.paper_json()["section_5_1"]
+    first, every = study["first_hallway"], study["all_hallways"]
+    missed = [pair["paper"] for pair in study["pairs_of_the_first"]
+              if pair["overlap"] >= 0.45 and pair["is_determined"]
+              and not (pair["paper"]["error_m"] <= 0.2 and pair["paper"]["error_deg"] <= 30)]
+    near = [sum(abs(pair["error_deg"] - turn_deg) <= 30 for pair in missed)
+            for turn_deg in (0, 90, 180)]
+    ours, theirs = every["default"]["all_pairs"], first["paper"]["all_pairs"]
+    return (
+        f"(Determined pairs in the column of 45 % and more; "
+        f"{every['num_overlap_45_and_more_undetermined']} of that overlap are not determined. The "
+        f"default's answers `matched`: {ours['num_matched']}, {ours['num_wrong']} of them wrong. "
+        f"With a turn in the path the literal method misses "
+        f"{100 * (1 - every['paper'][HIGH]['success_share']):.0f} % of the pairs of 45 % and more "
+        f"over all seeds, {100 * (1 - first['paper'][HIGH]['success_share']):.0f} % in the first "
+        f"hallway. Of the {len(missed)} that it misses there {near[1]} are off by a quarter turn, "
+        f"{near[2]} by half a turn; {near[0]} have the right heading and lie on a wrong peak of an "
+        f"axis. {theirs['num_wrong']} of its {theirs['num_matched']} accepted answers are wrong.)")
+
+
 def classes(runs):
     return runs.paper_json()["buildings"]["by_class"]
 
@@ -95,6 +117,31 @@ def buildings_preset(runs, _old):
                      both["num_wrong"], millimetres(found["determined"])])
     return table(["class", "determined, >= 45 %", "success", "at 30-45 %",
                   "answered `matched`, all pairs", "wrong", "mean error of the successes"], rows)
+
+
+def buildings_found(runs, _old):
+    """The sentences under the tables of buildings."""
+    study = runs.paper_json()["buildings"]
+    every = classes(runs)[-1]
+    ours, theirs = every["default"], every["paper"]
+    failures = [pair["answer"]["status"] for pair in study["failures_overlap_45_and_more"]]
+    answers = ", ".join(f"{failures.count(status)} `{status}`"
+                        for status in sorted(set(failures), key=failures.count, reverse=True))
+    wrong = "; ".join(
+        f"{pair['class']} seed {pair['seed']}, {pair['reference']}-{pair['current']} "
+        f"({100 * pair['overlap']:.0f} % overlap, off by {pair['answer']['error_m']:.2f} m, "
+        f"{pair['answer']['error_deg']:.1f} deg)" for pair in study["wrong_matched"])
+    full = theirs["determined_by_overlap"][9]["tally"]
+    return (
+        f"The default matcher finds {ours[HIGH]['num_success']} of the {ours[HIGH]['num_pairs']} "
+        f"determined pairs of 45 % and more; it answers {ours[HIGH]['num_matched']} of them "
+        f"`matched`. The {len(failures)} that it misses are answered {answers}. Wrong `matched` "
+        f"answers, over all {every['num_pairs']} pairs: {len(study['wrong_matched'])}"
+        + (f": {wrong}" if wrong else "") + ".\n\n"
+        f"The paper's method finds {theirs[HIGH]['num_success']} of these pairs, "
+        f"{percent(theirs[HIGH])}, and no overlap is enough for it: between 90 and 100 % it is right "
+        f"in {percent(full)}. Of its {theirs['all_pairs']['num_matched']} accepted answers "
+        f"{theirs['all_pairs']['num_wrong']} are wrong.")
 
 
 def difficulty(runs, _old):
@@ -325,6 +372,8 @@ def summary(runs, old):
 
 FIGURES = {
     "paper-hallways": hallways,
+    "paper-hallways-found": hallways_found,
+    "paper-buildings-found": buildings_found,
     "paper-difficulty": difficulty,
     "paper-buildings": buildings,
     "paper-buildings-preset": buildings_preset,
