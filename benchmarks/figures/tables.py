@@ -5,8 +5,8 @@
 
 def table(header, rows):
     """A table in Markdown; `header` and each row are lists of cells."""
-    lines = ["| " + " | ".join(str(cell) for cell in line) + " |" for line in (header, *rows)]
-    return "\n".join([lines[0], "|" + "---|" * len(header), *lines[1:]])
+    lines = ["| " + " | ".join(map(str, line)) + " |" for line in (header, *rows)]
+    return "\n".join([lines[0], "|" + "---|" * len(header), *lines[1:]]).replace("|  |", "| |")
 
 
 def cells(line):
