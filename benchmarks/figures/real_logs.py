@@ -115,9 +115,9 @@ def pairs_summary(runs, _old):
     """The sentence that sums up pairs and pairs-by-overlap."""
     everything = [runs.pairs(log, kind)["all"] for log in LOGS for kind in ("local", "loop")]
     high = [runs.pairs(log, "loop")["overlap >= 45 %"] for log in LOGS]
-    return (f"Of {sum(count(each, 'matched') for each in everything)} answers `matched`, "
-            f"{sum(each['wrong'] for each in everything)} wrong. Of the loops with an overlap of "
-            f"45 % and more, {sum(count(each, 'success') for each in high)} of "
+    return (f"Answered `matched`: {sum(count(each, 'matched') for each in everything)}, of these "
+            f"wrong: {sum(each['wrong'] for each in everything)}. Loops with an overlap of 45 % and "
+            f"more: {sum(count(each, 'success') for each in high)} of "
             f"{sum(each['number'] for each in high)} succeed.")
 
 
