@@ -1,26 +1,35 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// The relative pose of two scans of a log: match_two_scans LOG
+// The relative pose of the first and the last scan of a log: match_two_scans LOG
+#include <exception>
 #include <iostream>
-#include <memory>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
-#include "setsquare/io/logs/open_log.hpp"
-#include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/setsquare.hpp"
+
+namespace {
+
+void match_first_and_last(const char* path) {
+  std::vector<setsquare::Scan> scans;
+  const auto log = setsquare::open_log(path);
+  while (const auto* record = log->next()) scans.push_back(record->scan);
+  if (scans.empty()) throw std::runtime_error(std::string(path) + ": no scans");
+
+  const auto match = setsquare::match(scans.front(), scans.back());
+  std::cout << setsquare::to_string(match.status) << "\n";  // "matched", "ambiguous", ...
+  if (const auto& pose = match.T_reference_current) {
+    std::cout << pose->x_m << " m, " << pose->y_m << " m, " << pose->theta_rad << " rad\n";
+  }
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   try {
-    std::vector<setsquare::Scan> scans;
-    const auto reader = setsquare::open_log(argv[1]);
-    while (const auto* record = reader->next()) scans.push_back(record->scan);
-
-    const setsquare::MatchResult result = setsquare::match(scans.front(), scans.back());
-    std::cout << setsquare::to_string(result.status) << "\n";
-    if (result.T_reference_current) {
-      std::cout << result.T_reference_current->x_m << " m, " << result.T_reference_current->y_m
-                << " m, " << result.T_reference_current->theta_rad << " rad\n";
-    }
+    match_first_and_last(argv[1]);
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 2;
