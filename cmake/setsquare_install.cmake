@@ -9,6 +9,8 @@ include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
 get_property(setsquare_layers GLOBAL PROPERTY SETSQUARE_LAYERS)
+# The simulator has no public header.
+list(REMOVE_ITEM setsquare_layers setsquare_sim)
 install(
   TARGETS ${setsquare_layers}
   EXPORT setsquare-targets

@@ -156,9 +156,7 @@ void GridFromScansParams::validate() const {
   if (!(max_num_cells >= 1e4 && max_num_cells <= static_cast<double>(OccupancyGrid::kMaxCells))) {
     throw ParameterError("max_num_cells", "must be between 10^4 and 4 * 10^8");
   }
-  if (!(num_threads >= 1 && num_threads <= 256)) {
-    throw ParameterError("num_threads", "must be between 1 and 256");
-  }
+  if (num_threads < 1) throw ParameterError("num_threads", "must be at least 1");
   beams.validate();
   insertion.validate();
 }

@@ -36,7 +36,8 @@ struct MappedScan {
   double position_sigma_m = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// A whole scan that the map keeps to draw walls with.
+/// A whole scan that the map keeps to draw walls with. That of a keyframe shares the keyframe's
+/// memory.
 struct KeptScan {
   std::size_t index = 0;  ///< Of Map::scans.
   std::shared_ptr<const Scan> scan;
@@ -112,6 +113,7 @@ enum class PoseOf { kBase, kSensor };
 /// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
 /// are left out, for they would smear the walls. The map must outlive them.
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
+std::vector<PlacedScan> placed_scans(Map&&) = delete;
 
 /// The occupancy grid of placed_scans(). `grid_heading_rad`: direction of its rows in the map
 /// frame. Any number of threads gives the same grid. Takes a good part of the time that mapping

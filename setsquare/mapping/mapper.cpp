@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/headings/fusion.hpp"
@@ -55,6 +56,11 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
     }
   }
   return evidence;
+}
+
+void require_finite(const Pose2& pose, const char* name) {
+  if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) return;
+  throw ParameterError(name, "must be finite");
 }
 
 }  // namespace
@@ -114,6 +120,8 @@ class Mapper::Parts {
 
 TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   scan.validate();
+  require_finite(scan.T_base_sensor, "T_base_sensor");
+  if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
   std::optional<Pose2> T_wheels_sensor;
   if (T_wheels_base) T_wheels_sensor = *T_wheels_base * scan.T_base_sensor;
   num_with_odometry_ += T_wheels_base.has_value();
@@ -210,7 +218,9 @@ Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
 
 Map Mapper::Parts::finish() const {
   if (track_.size() == 0) {
-    return assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
+    Map map = assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
+    map.num_with_odometry = num_with_odometry_;
+    return map;
   }
   const Closed closed = track_.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
   PoseGraph graph = graph_along(closed.headings.heading_rad, closed.closer);

@@ -42,7 +42,8 @@ class Mapper {
   Mapper& operator=(Mapper&&) noexcept;
 
   /// The next scan of the log, with the robot's pose by wheel odometry where the log has one.
-  /// Throws ParameterError where the scan's geometry is not valid (Scan::validate).
+  /// Throws ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not
+  /// finite.
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
   /// The map of all scans so far; more may follow.

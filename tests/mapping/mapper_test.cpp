@@ -111,6 +111,18 @@ TEST(Mapper, ScansThatSeeNothingArePlacedAndCalledLost) {
   EXPECT_TRUE(track.keyframes.empty());
 }
 
+TEST(Mapper, RefusesPosesThatAreNotFinite) {
+  Mapper mapper;
+  Scan scan;
+  scan.bearing_step_rad = kPi / 180.0;
+  scan.max_range_m = 50.0;
+  scan.ranges_m.assign(180, 2.0);
+  EXPECT_THROW(mapper.add(scan, Pose2{std::nan(""), 0.0, 0.0}), ParameterError);
+  scan.T_base_sensor.theta_rad = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(mapper.add(scan), ParameterError);
+  EXPECT_EQ(mapper.num_scans(), 0U);
+}
+
 TEST(Mapper, RefusesAScanThatIsNone) {
   Mapper mapper;
   Scan scan;

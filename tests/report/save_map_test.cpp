@@ -72,6 +72,19 @@ TEST(SaveMap, WithoutAGraphThereAreNoClosuresAndNoPage) {
   EXPECT_THAT(names, Contains("map.png"));
 }
 
+TEST(SaveMap, NothingOfAnOlderMapStays) {
+  const testing::TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  save_map(map_of_room(true), out);
+  std::ofstream(out + "/timing.json") << "{}";
+  std::ofstream(out + "/notes.txt") << "mine";
+  save_map(map_of_room(false), out);
+  for (const char* name : {"/graph.g2o", "/closures.tsv", "/report.html", "/timing.json"}) {
+    EXPECT_FALSE(std::filesystem::exists(out + name)) << name;
+  }
+  EXPECT_EQ(testing::content_of(out + "/notes.txt"), "mine");
+}
+
 TEST(SaveMap, SameMapSameBytesByAnyNumberOfThreads) {
   std::map<std::string, std::string> first;
   const Map room = map_of_room(true);
@@ -87,6 +100,11 @@ TEST(SaveMap, AFileInTheFoldersPlaceIsAnError) {
   std::ofstream(folder.path() / "taken") << "mine";
   EXPECT_THROW(save_map(map_of_room(true), (folder.path() / "taken").string()), FileError);
   EXPECT_EQ(testing::content_of((folder.path() / "taken").string()), "mine");
+}
+
+TEST(RunJson, RefusesOptionsThatAreNoObject) {
+  EXPECT_THROW((void)run_json({}, {.options_json = "[1]"}, PoseOf::kBase), ParameterError);
+  EXPECT_THROW((void)run_json({}, {.parameters_json = "{"}, PoseOf::kBase), ParameterError);
 }
 
 TEST(RunJson, KeepsTextsOfTheUserAsTheyAre) {

@@ -115,10 +115,6 @@ std::string tsv_from_closures(std::span<const LoopClosure> closures) {
   return text;
 }
 
-void write_closures_tsv(const std::string& path, std::span<const LoopClosure> closures) {
-  save_file(path, tsv_from_closures(closures));
-}
-
 std::vector<LoopClosure> read_closures_tsv(std::unique_ptr<ByteSource> source,
                                            const std::string& name) {
   InputBuffer input(unpack(std::move(source)));

@@ -19,9 +19,6 @@ namespace setsquare {
 /// Control characters of a reason (a tab, a line's end) are written as blanks.
 [[nodiscard]] std::string tsv_from_closures(std::span<const LoopClosure> closures);
 
-/// Writes tsv_from_closures() under a temporary name and renames it. Throws FileError.
-void write_closures_tsv(const std::string& path, std::span<const LoopClosure> closures);
-
 /// Reads such a table, plain or gzip; one with no closure is none the worse. Empty lines are passed
 /// over. Throws FileError; FormatError with the line where the header or a row is another one, a
 /// number is not finite or a weight is outside [0, 1].

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
 #include "setsquare/map/map_summary.hpp"
 
 namespace setsquare {
@@ -73,6 +74,13 @@ Json scan_counts(const MapSummary& summary) {
           {to_string(TrackStatus::kLost), summary.num_lost}};
 }
 
+/// Throws ParameterError where the text is no JSON object.
+Json object_from(const std::string& text, const char* name) {
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) throw ParameterError(name, "must be a JSON object");
+  return json;
+}
+
 }  // namespace
 
 std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
@@ -83,7 +91,7 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"sensor", run.sensor},
                      {"preset", run.preset},
                      {"frame", pose_of == PoseOf::kSensor ? "sensor" : "base"},
-                     {"options", Json::parse(run.options_json)},
+                     {"options", object_from(run.options_json, "options_json")},
                      {"scans_with_odometry", map.num_with_odometry},
                      {"damaged_records", run.num_damaged_records},
                      {"num", scan_counts(summary)},
@@ -93,7 +101,7 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"pieces", array_from(map.pieces, map)},
                      {"open_stretches", array_from(map.open_stretches, map)},
                      {"stretches", array_from(status_stretches(map), map)},
-                     {"parameters", Json::parse(run.parameters_json)}};
+                     {"parameters", object_from(run.parameters_json, "parameters_json")}};
   // A path need not be UTF-8: what is not is replaced.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

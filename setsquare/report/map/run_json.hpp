@@ -22,7 +22,8 @@ struct RunRecord {
 };
 
 /// The content of run.json: what was read, how it went, with which options and parameters. The
-/// same map and record give the same bytes; times are in timing.json.
+/// same map and record give the same bytes; times are in timing.json. Throws ParameterError where a
+/// JSON text of the record is no object.
 [[nodiscard]] std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of);
 
 }  // namespace setsquare

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/report/map/save_map.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <system_error>
 #include <utility>
@@ -79,6 +80,11 @@ std::vector<std::string> save_map(const Map& map,
     files.push_back({(std::filesystem::path(folder) / names[i]).string(), contents[i]});
   }
   save_files(files);
+  // A set is of one map: what the last one had and this one has not goes.
+  for (const char* name : {"graph.g2o", "closures.tsv", "report.html", "timing.json"}) {
+    if (std::ranges::find(names, name) != names.end()) continue;
+    std::filesystem::remove(std::filesystem::path(folder) / name, error);
+  }
   return names;
 }
 

@@ -31,8 +31,9 @@ void make_map_files(
     const std::function<void(const std::string& name, std::string_view bytes)>& add);
 
 /// Writes the same files into a folder, which is made where it is absent, as `setsquare map` does
-/// but for timing.json. None of the files changes before all are made; other files in the folder
-/// stay. Returns the names in their order, run.json last. Throws FileError, ParameterError.
+/// but for timing.json. None of the files changes before all are made; those of an older map that
+/// this one does not have are removed; other files in the folder stay. Returns the names in their
+/// order, run.json last. Throws FileError, ParameterError.
 std::vector<std::string> save_map(const Map& map,
                                   const std::string& folder,
                                   const SaveMapOptions& options = {});
