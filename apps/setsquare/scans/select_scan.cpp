@@ -98,10 +98,4 @@ std::vector<SelectedScan> select_scans(const std::string& log_path,
   return selected;
 }
 
-SelectedScan select_scan(const std::string& log_path,
-                         const std::string& wanted,
-                         const LogOptions& options) {
-  return std::move(select_scans(log_path, std::span(&wanted, 1), options).front());
-}
-
 }  // namespace setsquare::app

@@ -27,9 +27,4 @@ struct SelectedScan {
                                                      std::span<const std::string> wanted,
                                                      const LogOptions& options = {});
 
-/// The same for one scan.
-[[nodiscard]] SelectedScan select_scan(const std::string& log_path,
-                                       const std::string& wanted,
-                                       const LogOptions& options = {});
-
 }  // namespace setsquare::app

@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 #include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/bytes/shortest_number.hpp"
 #include "setsquare/io/bytes/text_scanner.hpp"
