@@ -7,8 +7,8 @@
 
 namespace setsquare {
 
-/// Told after each finished task: how many of how many are done. Never called by two threads at
-/// once. May be empty.
+/// Called after each finished task with the number done and the total. Never called by two threads
+/// at once. May be empty.
 using Progress = std::function<void(std::size_t num_done, std::size_t num_tasks)>;
 
 /// Runs task(0) ... task(num_tasks - 1) on `num_threads` threads (at least one), in no fixed order:

@@ -29,7 +29,7 @@ struct Piece {
   double first_rad = 0.0;  ///< Offset at its first keyframe ...
   double last_rad = 0.0;   ///< ... and at its last one.
   double support = 0.0;
-  bool tells = false;  ///< Which frame it belongs to.
+  bool tells = false;  ///< Whether its support suffices to determine its frame.
 };
 
 std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& keyframes,
@@ -82,8 +82,8 @@ std::vector<double> step_sigmas(const std::vector<HeadingEvidence>& keyframes) {
   return sigma_rad;
 }
 
-/// The frame that comes nearest: the one right before, but for a slip, or one seen earlier; where
-/// none is near enough a new one. Without one right before, `before` is no frame's.
+/// The nearest frame: the preceding one, but for a slip, or one seen earlier; a new one where none
+/// is near enough. Without a preceding frame, `before` is no valid index.
 std::size_t frame_at(double offset_rad,
                      std::size_t before,
                      double period_rad,

@@ -29,11 +29,11 @@ struct HeadingFrames {
   double share = 1.0;
 };
 
-/// Tells drift from changes of frame: the trace's pieces between changes are laid end to end, for
-/// the tracked heading does not jump where the walls do. A piece whose offset comes out as that of
-/// a frame already seen belongs to it; else it begins a frame. A jump too small for another frame
-/// is a slip of tracking. Pieces of little support tell nothing: they neither begin a frame nor
-/// belong to one, and the drift goes on through them. The frame of the most support is the main
+/// Separates drift from changes of frame: the trace's pieces between changes are laid end to end,
+/// for the tracked heading does not jump where the walls do. A piece whose offset comes out as that
+/// of a frame already seen belongs to it; else it begins a frame. A jump too small for another
+/// frame is a slip of tracking. Pieces of little support are ignored: they neither begin a frame
+/// nor belong to one, and the drift goes on through them. The frame of the most support is the main
 /// one, at offset 0.
 [[nodiscard]] HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                                                 const HeadingTrace& trace,

@@ -88,12 +88,12 @@ void add_sigmas(const Measurements& measurements,
   }
 }
 
-/// What each keyframe's measurements say together: their weighted mean.
+/// The weighted mean of each keyframe's measurements.
 void add_measured(const Measurements& measurements,
                   const std::vector<double>& weight,
                   const HeadingFrames& found,
                   FusedHeadings& fused) {
-  constexpr double kMinWeight = 0.05;  // Less is no belief.
+  constexpr double kMinWeight = 0.05;  // A smaller weight is ignored.
   for (std::size_t m = 0; m < measurements.size(); ++m) {
     const AssignedProposal& measurement = measurements[m];
     const std::size_t k = measurement.keyframe;

@@ -29,8 +29,7 @@ float free_square(double range_m, const SurfaceImage::Params& params) {
   return static_cast<float>(free_m * free_m);
 }
 
-/// How far a beam whose return, if any, is of no use saw nothing: no farther than the sensor
-/// reaches.
+/// Free range of a beam without a usable return, at most the sensor's reach.
 double seen_free_m(const Scan& scan, std::size_t beam, const SurfaceImage::Params& params) {
   const BeamOutcome outcome = scan.outcome(beam);
   if (outcome == BeamOutcome::kInvalid) return 0.0;

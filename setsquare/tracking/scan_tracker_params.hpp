@@ -21,9 +21,9 @@ struct AlignmentScale {
 
 struct ScanGapParams {
   double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
-  double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
+  double min_num_periods = 5.0;  ///< ... as this many usual ones, is a gap in the log ...
   double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
-  double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
+  double min_same = 0.8;  ///< ... in this share of the beams, show that the robot stood still.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -97,7 +97,7 @@ struct ScanTrackerParams {
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
-  /// After so many lost scans in a row the submap starts anew at the predicted pose.
+  /// After this many lost scans in a row the submap restarts at the predicted pose.
   std::size_t max_lost_scans = 5;
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
@@ -123,7 +123,7 @@ struct MotionUncertaintyParams {
   double recovered_sigma_rad = rad_from_deg(1.5);
   double restart_sigma_rad = 0.5;
 
-  // The same where odometry bridges the gap: a witness.
+  // The same where odometry bridges the gap.
   double lost_sigma_m_by_odometry = 0.03;
   double restart_sigma_m_by_odometry = 0.3;
   double lost_sigma_rad_by_odometry = rad_from_deg(0.5);

@@ -80,7 +80,7 @@ TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
   EXPECT_TRUE(in_eight.translation_m2.isApprox(in_one.translation_m2, 1e-9));
 }
 
-TEST(MotionUncertainty, OdometryIsAWitness) {
+TEST(MotionUncertainty, OdometryReducesTheUncertainty) {
   TrackedPose restart = at({0.4, 0.0, 0.1}, TrackStatus::kLost);
   restart.is_restart = true;
   for (const TrackedPose& scan :
@@ -90,7 +90,7 @@ TEST(MotionUncertainty, OdometryIsAWitness) {
     EXPECT_LT(with.translation_m2.trace(), without.translation_m2.trace());
     EXPECT_LE(with.rotation_rad2, without.rotation_rad2);
   }
-  // Where the walls tell all it changes nothing.
+  // Where the walls determine the whole motion it changes nothing.
   const MotionCovariance with = covariance_of({at({}), at({0.4, 0.0, 0.1})}, true);
   const MotionCovariance without = covariance_of({at({}), at({0.4, 0.0, 0.1})}, false);
   EXPECT_EQ(with.translation_m2, without.translation_m2);

@@ -133,7 +133,7 @@ Json json_of_doubtful(std::span<const LoopClosure> closures,
   return list;
 }
 
-/// The same, one a line with tabs, under a header line.
+/// The same, one per line, tab-separated, under a header line.
 std::string list_of_doubtful(std::span<const LoopClosure> closures,
                              std::span<const ClosureJudgement> judgements) {
   std::string text =
@@ -182,7 +182,7 @@ ReferenceKind reference_kind(const std::string& path) {
 struct ClosuresOptions {
   std::string closures_path;
   std::string reference_path;
-  std::string trajectory_path;  // empty: trajectory.tum beside the closures
+  std::string trajectory_path;  // empty: trajectory.tum in the folder of the closures
   std::optional<ReferenceKind> kind;
   double max_time_difference_s = 0.0;
   bool is_list = false;

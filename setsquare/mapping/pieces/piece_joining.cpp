@@ -196,8 +196,8 @@ class PieceJoiner {
     return std::max(disagreement_m(a.sought), disagreement_m(b.sought)) < params_.agreeing_m;
   }
 
-  /// The proposals that agree with the one that most places agree with; none where too few do, or
-  /// where another opinion has half as many.
+  /// The proposals that agree with the one that has most votes of places; none where it has too few
+  /// votes, or another place has half as many votes.
   [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals) const {
     const auto num_places = [](const std::vector<Proposal>& list) {
       std::set<std::size_t> places;

@@ -40,7 +40,7 @@ function main() {
 
   const confidence = document.querySelector("input[value=confidence]");
   confidence.disabled = !map.track.hasConfidence;
-  if (confidence.disabled) confidence.parentElement.title = "This run tells no confidence.";
+  if (confidence.disabled) confidence.parentElement.title = "This run has no position uncertainty.";
   onChoice("color-choice", (value) => {
     shared.colorBy = value;
     shared.changed("color");

@@ -116,7 +116,7 @@ bool read_ranges(TextScanner& text, std::vector<double>& ranges_m) {
   return true;
 }
 
-/// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" tells nothing).
+/// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" has no known precision).
 double rounding_of(std::string_view number) {
   const std::size_t point = number.find('.');
   const std::size_t num_decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;
