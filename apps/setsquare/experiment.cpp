@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// `setsquare experiment ...`: starts setsquare-experiment, a program of its own (experiments/),
+// `setsquare experiment ...`: starts setsquare-experiment, a separate program (experiments/),
 // which owns the options: the command neither compiles nor links the studies.
 #include <unistd.h>
 

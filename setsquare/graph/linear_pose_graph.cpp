@@ -15,7 +15,7 @@ namespace setsquare {
 namespace {
 
 /// Shares of a term's larger eigenvalue: below the first a direction is not bound, below the second
-/// x and y are not coupled; both far above rounding and far below what a measurement tells.
+/// x and y are not coupled; both far above rounding and far below the information of a measurement.
 constexpr double kUnboundShare = 1e-9;
 constexpr double kUncoupledShare = 1e-13;
 /// Share of a diagonal entry below which its pivot is rounding alone.

@@ -15,7 +15,7 @@
 namespace setsquare {
 namespace {
 
-/// A direction that odometry leaves open is off by about so much.
+/// Typical error along a direction that odometry leaves open.
 constexpr double kOpenSigma_m = 100.0;
 
 /// The weight that is left, for the solve alone, to a refused closure between pieces of track that
@@ -88,7 +88,7 @@ double tls_weight(double squared_error, double mu) {
 
 /// Weights, and the positions that they lead to.
 struct RobustSolution {
-  std::vector<double> weights;  ///< One a constraint.
+  std::vector<double> weights;  ///< One per constraint.
   std::vector<Eigen::Vector2d> positions_m;
   double cost = 0.0;  ///< Truncated least squares, odometry included.
 };

@@ -52,7 +52,7 @@ class DeadReckoning {
 /// their mean squared error as a share of their thresholds; empty: each stands alone. Odometry
 /// constraints keep their weight. A piece of track that odometry does not join to node 0 still gets
 /// a position where all closures that join it are refused: the one that they agree upon best.
-/// Throws ParameterError where a node hangs on nothing, or a parameter or the graph is not valid.
+/// Throws ParameterError where a node is not connected, or a parameter or the graph is not valid.
 void solve_robustly(PoseGraph& graph,
                     std::span<const std::size_t> groups = {},
                     const RobustPoseGraphParams& params = {});

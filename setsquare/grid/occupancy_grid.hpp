@@ -21,7 +21,7 @@ struct CellIndex {
 /// What a cell is known to be.
 enum class CellState { kUnknown, kFree, kOccupied };
 
-/// Log-odds occupancy of square cells. The grid has a frame of its own, whose origin is the lower
+/// Log-odds occupancy of square cells. The grid has its own frame, whose origin is the lower
 /// left corner of cell (0, 0) and whose axes run along rows and columns: a grid may lie askew in
 /// the map, for example along a building's walls.
 class OccupancyGrid {

@@ -47,7 +47,7 @@ class TridiagonalFactor {
 /// The drifts of a chain of keyframes and the offsets of the building's frames.
 struct HeadingSolution {
   std::vector<double> drift_rad;  ///< One per keyframe.
-  Eigen::VectorXd offset_rad;     ///< One a frame beside the main one.
+  Eigen::VectorXd offset_rad;     ///< One per frame other than the main one.
 };
 
 /// Their variances, in rad^2.
@@ -85,7 +85,7 @@ class HeadingEquations {
   [[nodiscard]] Schur eliminate() const;
 
   TridiagonalSystem chain_;
-  std::vector<std::vector<double>> border_;  ///< One column a frame beside the main one.
+  std::vector<std::vector<double>> border_;  ///< One column per frame other than the main one.
   Eigen::VectorXd offset_diagonal_;
   Eigen::VectorXd offset_right_;
 };

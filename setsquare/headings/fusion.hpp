@@ -30,7 +30,7 @@ struct AssignedProposal {
     double gate_rad,
     double building_sigma_rad);
 
-/// The headings after fusion, one value a keyframe unless it says otherwise. The map's axes are
+/// The headings after fusion, one value per keyframe unless it says otherwise. The map's axes are
 /// those of the main frame of the building.
 struct FusedHeadings {
   std::vector<double> heading_rad;        ///< Tracked heading plus drift; wrap before comparing.

@@ -48,8 +48,9 @@ struct HeadingTraceParams {
   double inlier_rad = rad_from_deg(2.0);  ///< A proposal farther off than this is ignored.
   double drift_cost = 0.25;               ///< Of drift, for each standard deviation of the step.
   double min_step_sigma_rad = rad_from_deg(0.15);  ///< No step is more certain than this.
-  /// In standard deviations, and beyond min_change_rad. A larger move is never drift, whatever its
-  /// cost: where one scan was lost the walls may turn by 45 deg, but the robot unseen may not.
+  /// In standard deviations. A larger move that also exceeds min_change_rad is never drift,
+  /// whatever its cost: where one scan was lost the walls may turn by 45 deg, but an unseen robot
+  /// may not.
   double max_drift_sigmas = 4.0;
   double min_change_rad = rad_from_deg(10.0);
   double change_cost = 6.0;  ///< Of a change of frame, however large.
@@ -78,7 +79,7 @@ struct HeadingFramesParams {
 struct HeadingFusionParams {
   HeadingTraceParams trace = {};
   HeadingFramesParams frames = {};
-  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, beside its own sigma.
+  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, in addition to its own sigma.
   double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
   int num_iterations = 30;                ///< Of reweighting.
   /// Neighbouring keyframes see the same walls and err alike: as many of them count as one

@@ -110,7 +110,7 @@ enum class PoseOf { kBase, kSensor };
 [[nodiscard]] std::vector<LoopClosure> closures_of(const Map& map);
 
 /// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
-/// are left out, for they would smear the walls. The map must outlive them.
+/// are left out: they would smear the walls. The map must outlive them.
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
 
 /// The occupancy grid of placed_scans(). `grid_heading_rad`: direction of its rows in the map

@@ -34,8 +34,8 @@ struct SubmapMatchParams {
   int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
   std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
   double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
-  double max_lag =
-      0.4;  ///< After one step, in score and in agreement: candidates that lag more are dropped.
+  /// After one step, in score and in agreement: candidates that lag more are dropped.
+  double max_lag = 0.4;
   AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
   AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
   int num_catching_steps = 4;
@@ -44,8 +44,8 @@ struct SubmapMatchParams {
   /// far points.
   double heading_weight = 2000.0;
   double contradiction_weight = 2.0;  ///< In the score.
-  double min_compared = 0.3;  ///< The score is a share of at least this share of the points.
-  double distinct_m = 0.4;    ///< Poses nearer than this to each other are the same.
+  double min_compared = 0.3;          ///< The score refers to at least this share of the points.
+  double distinct_m = 0.4;            ///< Poses nearer than this to each other are the same.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -51,8 +51,9 @@ struct DistinctWallParams {
   double max_distance_m = 0.15;    ///< Of a sample from the surface that it agrees with.
   double same_line_cosine = 0.97;  ///< Samples lie on one line whose normals are so alike ...
   double same_line_m = 0.25;       ///< ... and that are so near to it.
-  double same_clutter_m = 0.4;     ///< Samples without a line, so near together, are one thing.
-  double max_line_m = 0.5;         ///< No line or thing counts for more.
+  double same_clutter_m =
+      0.4;                  ///< Samples without a line that are this near together are one thing.
+  double max_line_m = 0.5;  ///< No line or thing counts for more.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -70,8 +71,8 @@ struct AnswerParams {
   double min_margin_alone = 0.15;  ///< ... and a wide margin: nothing else comes near.
   double floor_score = -0.10;      ///< Runners-up below it are all alike: no match at all.
   double low_score = 0.30;         ///< Below it ...
-  double min_wall_m = 3.0;         ///< ... so much wall must hold the pose, both directions summed.
-  /// The margin must reach so many times the share of one scan's wall, agreeing or contradicted,
+  double min_wall_m = 3.0;  ///< ... this much wall must hold the pose, both directions summed.
+  /// The margin must reach this many times the share of one scan's wall, agreeing or contradicted,
   /// that the other contradicts.
   double margin_per_contradiction = 1.15;
   double min_distinct_m = 1.8;    ///< Agreeing wall, no line for more than half a metre.
@@ -79,7 +80,7 @@ struct AnswerParams {
   /// A different pose of this share of the agreement, contradicted as little, makes the answer
   /// ambiguous: a row of doors.
   double rival_agreement = 0.68;
-  double rival_contradiction = 0.05;   ///< By so much more at most: share of what can be judged,
+  double rival_contradiction = 0.05;   ///< By this much more at most: share of what can be judged,
   double rival_contradiction_m = 2.0;  ///< and length.
   double same_translation_m = 0.30;    ///< Poses nearer than both of these are one answer.
   double same_rotation_rad = 0.10;

@@ -29,7 +29,7 @@ struct ScanGapParams {
   void validate() const;
 };
 
-/// How far a prediction is believed along a direction that the walls leave free.
+/// How far a prediction is trusted along a direction that the walls leave free.
 struct PredictionTrust {
   double weight = 2.0;    ///< Of each effective point that is missing.
   double sigma_m = 0.15;  ///< How far off it is taken to be.

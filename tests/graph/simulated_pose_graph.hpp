@@ -39,7 +39,7 @@ struct SimulatedPoseGraph {
 struct WrongClosures {
   double share = 0.3;          ///< Of all closures, the wrong ones included.
   std::size_t group_size = 1;  ///< So many neighbours claim the same wrong thing.
-  /// Right closures moved by up to so much; 0: any two places, wherever they are.
+  /// Right closures moved by up to this distance; 0: any two places, wherever they are.
   double slip_m = 0.0;
 };
 

@@ -29,7 +29,7 @@ namespace setsquare::app {
 /// Refuses what is not a number from -high to high other than 0.
 [[nodiscard]] CLI::Validator number_not_zero(double high);
 
-/// Refuses what is none of the names, whatever its case; as a transform it gives the name as it is
+/// Refuses anything but the names, in any case; as a transform it gives the name as it is
 /// written here.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> names);
 

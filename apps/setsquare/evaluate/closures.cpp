@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare evaluate closures` and `evaluate chains`: which loop closures are wrong, and whether
-// the chains of relations that say so are to be believed.
+// the chains of relations that say so are reliable.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -269,7 +269,7 @@ struct ChainsOptions {
   bool is_json = false;
 };
 
-/// Chains are judged by relations that close a loop in time: a file without any says nothing.
+/// Chains are judged by relations that close a loop in time: a file without any cannot check them.
 void require_chained(const ChainCheck& check, const ChainsOptions& options) {
   const ChainCheckParams params;
   if (check.verdicts.num_closures > 0) return;

@@ -32,7 +32,7 @@ void end_by(int signal) {
   ::sigaddset(&only, signal);
   ::pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
   ::raise(signal);
-  std::_Exit(128 + signal);  // where somebody handles it and returns
+  std::_Exit(128 + signal);  // where a handler of the signal returns
 }
 
 }  // namespace

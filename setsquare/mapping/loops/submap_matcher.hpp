@@ -21,9 +21,9 @@ struct SubmapFitBothWays {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   ///< As in SubmapAlignment, of both ways.
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< Likewise.
   double score = -1.0;         ///< Explained less contradicted, of the points compared; at most 1.
-  double contradiction = 0.0;  ///< Contradicted points as a share of those that tell.
-  /// As the score, but of the points that tell: what the other hides behind its surfaces counts for
-  /// nothing. Alike places agree alike, from wherever they are seen.
+  double contradiction = 0.0;  ///< Contradicted points as a share of those that can be judged.
+  /// As the score, but of the points that can be judged: points that are hidden behind the other's
+  /// surfaces do not count. Similar places agree equally from every point of view.
   double agreement = -1.0;
 };
 

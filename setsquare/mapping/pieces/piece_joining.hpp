@@ -12,7 +12,7 @@
 
 namespace setsquare {
 
-/// How pieces of track hang together.
+/// How pieces of track are joined.
 struct JoinedPieces {
   /// To add to the tracked headings of each piece. Walls fix it only modulo a quarter turn and per
   /// building frame; matches fix the rest.

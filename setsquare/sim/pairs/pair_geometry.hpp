@@ -29,9 +29,9 @@ struct PairGeometry {
   }
 };
 
-/// Of what two scans see: computed once a scan, compared once a pair. Each return that both have in
-/// common weighs the length of wall that it stands for; normals are those of WallNormals, levers
-/// about the centroid of the common returns.
+/// Of what two scans see: computed once per scan, compared once per pair. Each return that both
+/// have in common weighs the length of wall that it stands for; normals are those of WallNormals,
+/// levers about the centroid of the common returns.
 [[nodiscard]] PairGeometry pair_geometry(const VisibleSurface& reference,
                                          const VisibleSurface& current);
 
