@@ -12,7 +12,7 @@
 #include "setsquare/graph/pose_graph.hpp"
 
 namespace setsquare {
-/// What one constraint says of the positions while the headings stay: the conditional of its
+/// One constraint on the positions while the headings stay fixed: the conditional of its
 /// Gaussian, given the rotation that the headings have.
 ///
 ///   r^T Omega r = e^T W e + what the positions do not change,   e = p_to - p_from - d

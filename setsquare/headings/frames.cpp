@@ -60,7 +60,7 @@ void judge_support(std::vector<Piece>& pieces, const HeadingFramesParams& params
 }
 
 /// True of an excursion: after the piece the walls' offset is what it was before. Two slips do not
-/// make up for each other; a wall that stands askew, seen for a while, does that.
+/// make up for each other; an oblique wall, seen for a while, does that.
 bool is_soon_undone(const std::vector<Piece>& pieces,
                     std::size_t p,
                     double period_rad,
@@ -144,7 +144,7 @@ class PieceChain {
       found.frames[frame_].support += piece.support;
     }
     if (frame_ == before && is_undone) {
-      frame_ = kNoFrame;  // An excursion too small for a frame of its own: the drift stays.
+      frame_ = kNoFrame;  // An excursion too small for a new frame: the drift stays.
       step_rad = 0.0;
     } else if (frame_ == before && std::abs(step_rad) > params_.min_slip_rad) {
       double& sigma_rad = found.step_sigma_rad[piece.begin];

@@ -118,7 +118,7 @@ TEST(RobustPoseGraph, LooseOdometryAndFewClosures) {
   EXPECT_GE(num_same, 7);
 }
 
-TEST(RobustPoseGraph, OdometryWorseThanItSaysDoesNotRefuseTheRightClosures) {
+TEST(RobustPoseGraph, OdometryWorseThanItsInformationDoesNotRefuseTheRightClosures) {
   std::mt19937_64 generator = make_generator();
   SimulatedPoseGraph simulated = simulate_pose_graph({}, generator);
   for (Constraint& constraint : simulated.graph.constraints) {

@@ -52,7 +52,7 @@ std::vector<Pose2> drive(const PoseGraphSimulation& simulation, std::mt19937_64&
   return poses;
 }
 
-/// A constraint with noise of its own covariance.
+/// A constraint with noise of its covariance.
 Constraint measure(const std::vector<Pose2>& truth,
                    std::size_t from,
                    std::size_t to,

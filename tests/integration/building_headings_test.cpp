@@ -67,7 +67,7 @@ Drive drive_through(const SeededBuilding& seeded) {
   return drive;
 }
 
-/// Mean distance of headings from the truth, beside what all have in common.
+/// Mean distance of headings from the truth, apart from what all have in common.
 double mean_error_rad(const std::vector<double>& heading_rad,
                       const std::vector<double>& truth_rad) {
   std::vector<double> errors_rad;

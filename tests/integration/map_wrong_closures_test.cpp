@@ -101,7 +101,8 @@ struct JudgedMap {
   ErrorOf error_of;
 };
 
-/// Wrong closures singly and in groups of five, `num_draws` times each; told as a line of a table.
+/// Wrong closures singly and in groups of five, `num_draws` times each; printed as a line of a
+/// table.
 void expect_same_map(const JudgedMap& map, WrongClosureParams params, int num_draws) {
   const std::size_t num_own = num_closures(map.track.graph);
   ASSERT_GT(num_own, 20U);
@@ -219,8 +220,8 @@ JudgedMap map_of_the_paper_building() {
 }
 
 /// Loops are long and few there: where the next closure is hundreds of metres away, a slip of half
-/// a metre is what tracking may have drifted. Such a one is not drawn; five sigma are. Five that
-/// tell the same outweigh what one does not.
+/// a metre is what tracking may have drifted. Such slips are not drawn; slips of five sigma are.
+/// Five agreeing closures outweigh what a single one does not.
 WrongClosureParams wrong_beyond_doubt(double share) {
   return {.share = share, .min_squared_disagreement = 25.0};
 }

@@ -15,7 +15,7 @@
 namespace setsquare::testing {
 namespace {
 
-/// Members of a group are so many keyframes apart, as a mapper's stations are.
+/// Members of a group are this many keyframes apart, as a mapper's stations are.
 constexpr std::size_t kStride = 3;
 /// What neighbouring closures differ by, and what their rotation is off by.
 constexpr double kNoise_m = 0.01;

@@ -141,7 +141,7 @@ TEST(ClosureCandidates, AreTheSameWhetherAskedAtOnceOrInParts) {
 }
 
 TEST(ClosureCandidates, AClosureNarrowsTheWindowsBehindIt) {
-  // There and back beside it, 60 m each way.
+  // There and back on a parallel line, 60 m each way.
   const auto window_at_the_start = [](bool is_linked) {
     ClosureCandidates candidates({});
     std::vector<Eigen::Vector2d> positions_m;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Logs with holes: the robot was moved while nobody looked.
+// Logs with holes: the robot was moved while nothing was recorded.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -88,7 +88,7 @@ TEST(MapperPieces, AreJoinedWhereTheirWaysOverlap) {
   expect_true_poses(track, log, 0, track.pieces[2].first_scan, log.scans.size());
 }
 
-TEST(MapperPieces, WithoutOverlapItIsToldThatNobodyKnows) {
+TEST(MapperPieces, WithoutOverlapAPieceIsReportedAsNotJoined) {
   const LogWithHoles log = carried_elsewhere();
   const Map track = map_of(log, {});
   ASSERT_EQ(track.pieces.size(), 2U);
@@ -104,7 +104,7 @@ TEST(MapperPieces, WithoutOverlapItIsToldThatNobodyKnows) {
     EXPECT_FALSE(closure.closure.is_accepted && closure.scan_i < log.begins[1] &&
                  closure.scan_j >= log.begins[1]);
   }
-  // Each piece is a map of its own.
+  // Each piece is a separate map.
   const std::size_t first = track.pieces[1].first_scan;
   expect_true_poses(track, log, first, first, log.scans.size());
 }
@@ -136,7 +136,7 @@ TEST(MapperPieces, OdometryThatBeginsBehindTheHoleTiesNothing) {
   const Map track = mapper.finish();
   ASSERT_EQ(track.pieces.size(), 2U);
   EXPECT_EQ(track.pieces[1].first_scan, restart);
-  EXPECT_FALSE(track.scans[restart].has_odometry) << "nothing tells where it was before";
+  EXPECT_FALSE(track.scans[restart].has_odometry) << "its place before is unknown";
   EXPECT_TRUE(track.scans[restart + 1].has_odometry);
 }
 
@@ -157,7 +157,7 @@ TEST(MapperPieces, ManyThreadsGiveTheSameBits) {
   }
 }
 
-TEST(MapperPieces, FinishingTwiceTellsTheSame) {
+TEST(MapperPieces, FinishingTwiceGivesTheSame) {
   const LogWithHoles log = carried_away_and_back();
   Mapper mapper;
   for (const Scan& scan : log.scans) mapper.add(scan);

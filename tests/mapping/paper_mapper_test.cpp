@@ -61,7 +61,7 @@ TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
 }
 
 TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
-  // A square room looks the same after a quarter turn: only the limit tells.
+  // A square room looks the same after a quarter turn: only the limit decides.
   const std::vector<testing::Wall> room = {{-3.0, -3.0, 3.0, -3.0},
                                            {3.0, -3.0, 3.0, 3.0},
                                            {3.0, 3.0, -3.0, 3.0},
@@ -84,7 +84,7 @@ TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
   EXPECT_GT(num_wrong_turns({.matcher = {}}), 0) << "all four offsets: the limit was not needed";
 }
 
-TEST(PaperMapper, AfterRejectedScansTheWallsTellTheHeading) {
+TEST(PaperMapper, AfterRejectedScansTheWallsGiveTheHeading) {
   PaperMapperParams params;
   params.max_rejected = 2;
   PaperMapper mapper(params);

@@ -59,7 +59,7 @@ inline KeyframeTrack track_in_world(const std::vector<Wall>& walls,
 }
 
 /// A corridor 2 m wide around a block of 12 m x 8 m, its outer walls 16 m x 12 m from (0, 0), with
-/// niches and posts that tell its sides and corners apart.
+/// niches and posts that distinguish its sides and corners.
 inline std::vector<Wall> corridor_around_a_block() {
   return {{0.0, 0.0, 16.0, 0.0},   {16.0, 0.0, 16.0, 12.0}, {16.0, 12.0, 0.0, 12.0},
           {0.0, 12.0, 0.0, 0.0},   {2.0, 2.0, 14.0, 2.0},   {14.0, 2.0, 14.0, 10.0},

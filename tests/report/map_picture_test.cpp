@@ -35,7 +35,7 @@ const std::vector<std::string> kPlan = {"#####  ",  //
                                         "#.....#",
                                         "#######"};
 
-/// No margin, no footer, one pixel a cell: the plan as it is.
+/// No margin, no footer, one pixel per cell: the plan as it is.
 const MapPictureParams kBare = {
     .min_side_px = 1, .margin_m = 0.0, .has_scale_bar = false, .has_legend = false};
 
@@ -176,7 +176,7 @@ TEST(MapPicture, ScaleBarHasARoundLength) {
   OccupancyGrid grid({}, 0.05, 1000, 600);
   std::fill(grid.values().begin(), grid.values().end(), -2.0F);
   const Image image = map_picture(grid, {}, {.margin_m = 0.0, .has_legend = false});
-  // One pixel a cell, so 10 m are 200 pixels, and the bar has a rim of 1.5.
+  // One pixel per cell, so 10 m are 200 pixels, and the bar has a rim of 1.5.
   int longest_run = 0;
   for (int row = 600; row < image.height_px(); ++row) {
     int run = 0;

@@ -140,7 +140,7 @@ TEST(MapReport, IsSmallForAnHourOfDriving) {
   EXPECT_LT(map_report_html(report_of(drive(15000, 5000, 180))).size(), 850'000U);
 }
 
-TEST(MapReportImage, TellsOccupiedUnknownAndFree) {
+TEST(MapReportImage, ShowsOccupiedUnknownAndFree) {
   OccupancyGrid grid({1.0, 2.0, 0.3}, 0.5, 6, 5);
   grid.values()[grid.index({2, 1})] = 3.0F;
   grid.values()[grid.index({4, 3})] = -3.0F;

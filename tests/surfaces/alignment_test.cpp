@@ -127,7 +127,7 @@ struct Pair {
   Pose2 T_reference_current;
 };
 
-/// Two scans of one room, and a pose some centimetres and degrees beside the truth.
+/// Two scans of one room, and a pose some centimetres and degrees off the truth.
 Pair random_pair(std::mt19937_64& generator) {
   const auto room = testing::furnished_room(generator);
   const Pose2 T_world_reference = testing::free_pose(room, generator);

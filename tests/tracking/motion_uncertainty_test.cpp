@@ -72,7 +72,7 @@ TEST(MotionUncertainty, AnOpenDirectionCountsAlongItselfOnly) {
 }
 
 TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
-  // The same way in one scan or in eight: neighbouring scans err alike.
+  // The same way in one scan or in eight: errors of neighbouring scans are correlated.
   std::vector<TrackedPose> many = {at({})};
   for (int i = 1; i <= 8; ++i) many.push_back(open_along(0.3, {0.05 * i, 0.0, 0.0}));
   const MotionCovariance in_eight = covariance_of(many);
@@ -122,7 +122,7 @@ TEST(MotionUncertainty, OdometryBridgesANewStartOnlyWhereItNeverPaused) {
   }
 }
 
-TEST(MotionUncertainty, TakingStartsAnew) {
+TEST(MotionUncertainty, TakingRestartsTheSum) {
   MotionUncertainty uncertainty(kParams);
   uncertainty.add(at({}));
   uncertainty.add(at({1.0, 0.0, 0.0}, TrackStatus::kLost));

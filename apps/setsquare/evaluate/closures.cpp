@@ -156,10 +156,10 @@ std::string list_of_doubtful(std::span<const LoopClosure> closures,
 /// What a file of ground truth holds.
 enum class ReferenceKind { kRelations, kTrajectory };
 
-/// Tells the two apart by their content, for both are eight numbers a line: a trajectory (TUM)
-/// where the last four of every line are a unit quaternion, relations where those of at most half
-/// the lines are. Throws FileError; FormatError where a line is not eight numbers, or where it is
-/// neither.
+/// Distinguishes the two by their content, since both are eight numbers per line: a trajectory
+/// (TUM) where the last four of every line are a unit quaternion, relations where those of at most
+/// half the lines are. Throws FileError; FormatError where a line is not eight numbers, or where it
+/// is neither.
 ReferenceKind reference_kind(const std::string& path) {
   constexpr double kUnitTolerance = 1e-3;
   if (path == "-") throw Error("standard input as reference: say --reference-kind");

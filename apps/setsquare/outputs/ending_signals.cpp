@@ -10,7 +10,7 @@
 namespace setsquare::app {
 namespace {
 
-/// Tells the waiting thread that it is over.
+/// Makes the waiting thread end.
 constexpr int kWake = SIGUSR1;
 
 sigset_t awaited_signals() {

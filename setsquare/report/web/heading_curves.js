@@ -51,7 +51,7 @@ function headingCurves(headings) {
   };
 }
 
-/** Stretches of poses of one condition: from, to (s), code. */
+/** Stretches of poses of one status: from, to (s), code. */
 function stretches(poses, codes) {
   const found = [];
   for (let k = 0; k < poses.t.length; ++k) {
