@@ -140,7 +140,7 @@ void PositionSystem::solve(std::span<const double> weights,
                                                          step_axis(1, weights, positions_m))
                                               : step_both(weights, positions_m);
   // Weak constraints in a long chain make small pivots, too: these are judged only where some node
-  // hangs on the others by one axis at a time.
+  // is connected to the others by one axis at a time.
   const bool is_doubtful = !(smallest_pivot > kDoubtfulPivot);
   if (!(smallest_pivot > 0.0) || (is_doubtful && num_pieces(weights, 2) > 1)) {
     throw ParameterError("constraints", "leave the position of a node open along an axis");

@@ -51,7 +51,7 @@ std::vector<ClosureGroup> group_closures(const PoseGraph& graph,
   return result;
 }
 
-/// What each constraint weighs at least, for the solve alone.
+/// The least weight of each constraint, for the solve alone.
 std::vector<double> least_weights(const PoseGraph& graph) {
   NodeSets pieces(graph.T_map_node.size());
   for (const Constraint& constraint : graph.constraints) {

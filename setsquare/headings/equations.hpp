@@ -58,7 +58,7 @@ struct HeadingVariances {
 
 /// Normal equations of drifts d_k along a chain and of the offsets o_f of frames f = 1, 2, ...
 /// against the main frame 0, whose offset is 0 by definition: tridiagonal in the drifts, bordered
-/// by one dense column a frame. Solved exactly by the Schur complement of the drifts.
+/// by one dense column per frame. Solved exactly by the Schur complement of the drifts.
 class HeadingEquations {
  public:
   HeadingEquations(std::size_t num_keyframes, std::size_t num_frames);

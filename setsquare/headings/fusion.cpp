@@ -16,7 +16,7 @@ namespace {
 
 using Measurements = std::vector<AssignedProposal>;
 
-/// A frame's offset is not known beforehand, but that it lies within the period.
+/// Prior of a frame's offset: it is only known to lie within the period.
 void bind_offsets(const HeadingFrames& found, double period_rad, HeadingEquations& equations) {
   for (std::size_t f = 1; f < found.frames.size(); ++f) {
     equations.bind_offset(f, found.frames[f].offset_rad, 1.0 / (period_rad * period_rad));

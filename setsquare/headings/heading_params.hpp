@@ -82,8 +82,8 @@ struct HeadingFusionParams {
   double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, in addition to its own sigma.
   double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
   int num_iterations = 30;                ///< Of reweighting.
-  /// Neighbouring keyframes see the same walls and err alike: as many of them count as one
-  /// measurement in the standard deviations.
+  /// Neighbouring keyframes see the same walls, so their errors are correlated: this many of them
+  /// count as one measurement in the standard deviations.
   double num_alike = 6.0;
 
   /// Throws ParameterError that names the field.

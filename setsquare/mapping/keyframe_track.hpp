@@ -12,7 +12,7 @@
 #include "setsquare/tracking/motion_uncertainty.hpp"
 
 namespace setsquare {
-/// The keyframes of a log in their order, and what tracking says of the motion between them.
+/// The keyframes of a log in their order, and the tracked motion between them.
 struct KeyframeTrack {
   std::vector<KeyframePtr> keyframes;
   std::vector<MotionCovariance> motions;  ///< From the keyframe before; the first's is unused.

@@ -239,8 +239,8 @@ Map Mapper::Parts::finish() const {
 
 std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,
                                                    const PoseGraph& graph) const {
-  // Registration compares the places that closures name again. Beside its own comparisons it
-  // relies for little on the tracked motion, which is made of the same scans, and on the other
+  // Registration compares the places that closures name again. Apart from its own comparisons
+  // it gives little weight to the tracked motion, which is made of the same scans, and to the other
   // closures.
   PoseGraph to_register{
       .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};

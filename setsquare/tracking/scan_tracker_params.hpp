@@ -49,7 +49,7 @@ struct SubmapRefinementParams {
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
-  double chance_points = 1.0;  ///< So many, or fewer, are chance: a bare corridor's.
+  double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -34,10 +34,10 @@ struct SubmapMatch {
   OpenDirection open;                     ///< In the reference's frame.
 };
 
-/// What is known beforehand.
+/// What is known before matching.
 struct ExpectedPose {
   Pose2 T_reference_current;
-  double window_m = 0.0;  ///< The true position lies so near along each axis.
+  double window_m = 0.0;  ///< The true position lies this near along each axis.
 };
 
 /// Finds the translation under which two submaps agree; the rotation is known from the fused

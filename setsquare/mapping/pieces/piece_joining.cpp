@@ -90,7 +90,7 @@ class PieceJoiner {
     return true;
   }
 
-  /// The middle one of what the joints say of the piece's headings, as tracked.
+  /// The median of the turns that the joints give for the piece's tracked headings.
   [[nodiscard]] double tracked_turn_rad(const std::vector<Proposal>& joints) const {
     const auto turn_by = [&](const Proposal& joint) {
       return joined_.turn_rad[track_.pieces[joint.known]] +
@@ -185,7 +185,7 @@ class PieceJoiner {
     return proposal;
   }
 
-  /// Whether two proposals put the places that they are about alike.
+  /// Whether two proposals give nearly the same places.
   [[nodiscard]] bool agree(const Proposal& a, const Proposal& b) const {
     const double turn_rad = wrap_to_pi(a.T_map_piece.theta_rad - b.T_map_piece.theta_rad);
     if (std::abs(turn_rad) > params_.agreeing_rad) return false;

@@ -25,7 +25,7 @@ function addMark(path, kind, column, row, radius, direction = 0) {
   }
 }
 
-/** Draws a path of marks: filled discs, else lines, upon a casing that parts them from the map. */
+/** Draws a path of marks: filled discs, else lines, on a casing that separates them from the map. */
 function paintMarks(context, path, kind, radius) {
   const width = Math.max(1.2, 0.42 * radius);
   context.lineCap = "round";

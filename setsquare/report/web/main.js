@@ -12,7 +12,7 @@ function onChoice(id, chosen) {
   document.getElementById(id).addEventListener("change", (event) => chosen(event.target.value));
 }
 
-/** The closure to begin with: firmly believed, of two visits as far apart in time as can be. */
+/** The closure to begin with: of high weight, its two visits as far apart in time as possible. */
 function mostTelling({ closures }) {
   let best = -1;
   for (let k = 0; k < closures.count; ++k) {
