@@ -9,7 +9,7 @@
 
 namespace setsquare::experiments {
 
-/// One thing that we set out to reach. Not on the page: the tests and `--check-goals` ask.
+/// One goal of the experiments. Not on the page: the tests and `--check-goals` use it.
 struct Goal {
   std::string what;
   std::string paper;  ///< The paper's own figure, or a dash.

@@ -15,7 +15,7 @@
 
 namespace setsquare::experiments {
 
-/// Pairs where the truth is that little or nothing can be known.
+/// Pairs of scans that determine the pose little or not at all.
 struct HonestyStudyParams {
   std::size_t num_seeds = 20;  ///< Of each world, and of pairs of different buildings.
   std::size_t num_scans = 9;   ///< Of each run: 36 pairs.

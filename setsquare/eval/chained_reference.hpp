@@ -59,8 +59,8 @@ struct ChainCheckParams {
 /// How well chains of relations predict relations that are not in them.
 struct ChainCheck {
   std::size_t num_relations = 0;  ///< Long enough to be checked.
-  /// As closures; unjudged are those that the others do not chain to. A right relation that comes
-  /// out wrong is the judge's fault.
+  /// As closures; unjudged are those that the others do not chain to. A right relation that is
+  /// judged wrong is an error of the judgement.
   ClosureCounts verdicts;
   ErrorStatistics translation_m;  ///< Of the cheapest chains.
   ErrorStatistics rotation_rad;

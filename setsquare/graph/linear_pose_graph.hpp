@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // With headings known, a pose graph is linear in the positions (as in LAGO: carlone2014).
-// With headings known, a pose graph is linear in the positions (as in LAGO: Carlone et al. 2014).
 #pragma once
 
 #include <Eigen/Core>

@@ -75,7 +75,7 @@ SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const 
     SurfaceSector sector = unknown_sector();
     if (point < points.size() && points.beam[point] == static_cast<std::int32_t>(beam)) {
       sector = sector_of_return(points, point, params);
-      // An edge: the gap beside it may be covered, so the nearer return bounds the free space.
+      // An edge: the gap next to it may be covered, so the nearer return bounds the free space.
       if (point + 1 < points.size() && points.beam[point + 1] == points.beam[point] + 1) {
         sector.free_square_m2 =
             std::min(sector.free_square_m2, free_square(points.range_m[point + 1], params));

@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-/// What the floor plan alone says of a pair of scans: never a matcher, never noise, never people.
+/// Geometry of a pair of scans by the floor plan alone, without matcher, noise or people.
 struct PairGeometry {
   /// Share of the current scan's returns that, at the true pose, lie within 0.2 m of a surface that
   /// the reference saw.

@@ -49,7 +49,7 @@ double max_range_from_stated(double stated_m) {
   return is_sick_code ? kSickFirstErrorCode_m : stated_m;
 }
 
-/// Messages of CARMEN that hold nothing for us.
+/// Messages of CARMEN that are not used.
 constexpr std::array<std::string_view, 17> kPassedOver = {"SYNC",
                                                           "MARKER",
                                                           "COMMENT",

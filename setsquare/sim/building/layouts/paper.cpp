@@ -76,7 +76,7 @@ Wing make_corridor(const Corridor& corridor) {
   return wing;
 }
 
-/// Rooms on both sides; rooms that would stand in another corridor are left out.
+/// Rooms on both sides; rooms that would overlap another corridor are left out.
 void add_rooms(BuildingSketch& sketch, const Corridor& corridor, Wing& wing, Random& random) {
   RoomRow row;
   row.length_m = wing.length_m;
