@@ -49,8 +49,8 @@ struct SweepParams {
 /// What counts as wall that agrees at a place and hardly elsewhere (distinct_wall_m).
 struct DistinctWallParams {
   double max_distance_m = 0.15;  ///< Of a sample from the surface that it agrees with.
-  double same_line_cosine =
-      0.97;  ///< Samples lie on one line if their normals differ by less than this ...
+  /// Samples lie on one line if the cosine between their normals is above this ...
+  double same_line_cosine = 0.97;
   double same_line_m = 0.25;  ///< ... and they are this near to it.
   double same_clutter_m =
       0.4;                  ///< Samples without a line that are this near together are one thing.
@@ -70,7 +70,7 @@ struct AnswerParams {
   double min_margin = 0.08;        ///< ... and a margin above the best different pose,
   double min_score_alone = 0.05;   ///< or, where much is hidden or has moved, by a lower score ...
   double min_margin_alone = 0.15;  ///< ... and a wide margin: nothing else comes near.
-  double floor_score = -0.10;      ///< Runners-up below it count equally: no match at all.
+  double floor_score = -0.10;      ///< Lower runners-up count as this: no match at all.
   double low_score = 0.30;         ///< Below it ...
   double min_wall_m = 3.0;  ///< ... this much wall must hold the pose, both directions summed.
   /// The margin must reach this many times the share of one scan's wall, agreeing or contradicted,

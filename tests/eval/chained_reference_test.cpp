@@ -39,7 +39,7 @@ Trajectory rounds(int num_rounds) {
   return truth;
 }
 
-/// The same with a drift of 1 mm a scan: right to a centimetre over a second, wrong over a round.
+/// The same with a drift of 1 mm per scan: right to a centimetre over a second, wrong over a round.
 Trajectory drifting(const Trajectory& truth) {
   Trajectory map = truth;
   Pose2 T_drift;

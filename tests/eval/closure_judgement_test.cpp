@@ -109,7 +109,7 @@ TEST(ClosureTruth, TheMoreCertainReferenceDecides) {
   EXPECT_EQ(verdict({surely_wrong, surely_right}), ClosureTruth::kDisputed);
 }
 
-// Metres off along a corridor that runs along the map's y are no fault of a closure that binds x.
+// Metres off along a corridor that runs along the map's y are no error of a closure that binds x.
 TEST(ClosureTruth, ASingleAxisNeedsTheHeadingInTheMap) {
   const Trajectory map = {{stamp_at(1), {9, 9, kPi / 2}}, {stamp_at(2), {9, 9, 0.3}}};
   const LoopClosure along = closure_of({4.0, 0.1, 0.0}, ClosureAxes::kX);

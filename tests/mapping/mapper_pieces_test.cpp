@@ -21,7 +21,7 @@ using testing::Wall;
 
 constexpr double kNoise_m = 0.01;
 
-/// Drives in different places, and nothing of the ways between them.
+/// Drives in different places, without the ways between them.
 struct LogWithHoles {
   void add(const std::vector<Wall>& walls, const std::vector<Pose2>& T_world_sensor) {
     begins.push_back(scans.size());
@@ -111,7 +111,7 @@ TEST(MapperPieces, WithoutOverlapAPieceIsReportedAsNotJoined) {
 
 TEST(MapperPieces, OdometryTiesThem) {
   LogWithHoles log = carried_elsewhere();
-  // Driven blind, the wheels turning, to a room 30 m away.
+  // Driven without scans, but with odometry, to a room 30 m away.
   for (std::size_t i = log.begins[1]; i < log.truth.size(); ++i) {
     log.truth[i] = Pose2{30.0, 5.0, 0.0} * log.truth[i];
   }

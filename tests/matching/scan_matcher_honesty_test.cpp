@@ -41,7 +41,7 @@ TEST(HonestMatch, ACorridorHasExactlyOneDegenerateDirectionAlongIt) {
     const double along_rad = -T_world_reference.theta_rad;
     EXPECT_NEAR(
         wrap_to_period(*result.degenerate_direction_rad - along_rad, kPi), 0.0, rad_from_deg(2.0));
-    // The information knows it too: almost nothing along, plenty across and in rotation.
+    // The information shows it, too: almost nothing along, plenty across and in rotation.
     Eigen::Matrix3d to_corridor = Eigen::Matrix3d::Identity();
     to_corridor.topLeftCorner<2, 2>() =
         Eigen::Rotation2Dd(T_world_reference.theta_rad).toRotationMatrix();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What the options of all subcommands have in common: checks that speak plainly, and names of
+// What the options of all subcommands have in common: checks with plain messages, and names of
 // choices.
 #pragma once
 
