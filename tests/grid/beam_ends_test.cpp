@@ -25,7 +25,7 @@ Scan fan(const std::vector<double>& ranges_m) {
   return scan;
 }
 
-/// One letter an end: R return, J joined return, n no-return.
+/// One letter per end: R return, J joined return, n no-return.
 std::string words_of(const std::vector<double>& ranges_m, const BeamEndParams& params = {}) {
   std::string words;
   for (const BeamEnd& end : beam_ends(fan(ranges_m), params)) {

@@ -35,7 +35,7 @@ struct SeededBuilding {
   double max_mean_deg = 0.0;
 };
 
-/// What tracking and the walls say at the keyframes of a drive, and where the robot really faced.
+/// The evidence of tracking and walls at the keyframes of a drive, and the true headings.
 struct Drive {
   std::vector<HeadingEvidence> evidence;
   std::vector<double> heading_rad;

@@ -73,7 +73,7 @@ std::vector<LoopClosure> closures() {
           closure(11, 900, 0.0, ClosureAxes::kXY, true)};
 }
 
-/// The files of such a run, in a folder of their own.
+/// The files of such a run, in a separate folder.
 class CommandEvaluateClosures : public ::testing::Test {
  protected:
   void SetUp() override {

@@ -100,7 +100,7 @@ TEST_P(MapRealLog, AgreesWithTheRelationsAndClosesNothingWrongly) {
   EXPECT_EQ(summary.accepted.num_wrong, 0U);
 }
 
-// A little above what was reached when this was written: no way back.
+// A little above the errors when this was written, so that they do not grow again.
 INSTANTIATE_TEST_SUITE_P(Logs,
                          MapRealLog,
                          ::testing::Values(RealLog{"intel", true, 0.0140, 0.215, 0.0175, 500},

@@ -3,7 +3,7 @@
 // Wrong closures that passed verification must not change the map: they are put into the graphs
 // that the mapper makes of real logs and of a simulated building. Prints a line of a table for
 // each: own closures, wrong ones, their share, group size, error in m without them, with them, with
-// all believed, largest weight of a wrong one, own ones refused.
+// full weight of all, largest weight of a wrong one, own ones refused.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -67,7 +67,7 @@ PoseGraph believed(PoseGraph graph) {
 
 struct Injected {
   double error_m = 0.0;
-  double believed_error_m = 0.0;  ///< Where all closures are believed.
+  double believed_error_m = 0.0;  ///< With full weight of all closures.
   std::size_t num_wrong = 0;
   double largest_wrong_weight = 0.0;
   std::size_t num_own_refused = 0;
@@ -176,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(Logs,
                                            RealLog{"fr079", false}),
                          test_name);
 
-/// Many more draws than every day's, and up to 60 %: for the table of docs/method.md.
+/// Many more draws than the default test, and up to 60 %: for the table of docs/method.md.
 class ManyWrongClosures : public ::testing::TestWithParam<RealLog> {};
 
 TEST_P(ManyWrongClosures, LeaveTheMap) {

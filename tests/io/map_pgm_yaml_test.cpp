@@ -74,7 +74,7 @@ TEST(PgmImage, ErrorsNameTheOffsetAndTheReason) {
 
 TEST(PgmImage, AWrongHeaderAllocatesNothing) {
   EXPECT_THAT(error_of_image("P5 1000000 1000000 255 abc"), HasSubstr("400 million"));
-  // 800 MB if it were believed; the bytes end first.
+  // 800 MB by the header; the bytes end first.
   EXPECT_THAT(error_of_image("P5 1000000 400 255 abc"), HasSubstr("ends too early"));
 }
 

@@ -14,7 +14,8 @@
 
 namespace setsquare::map_picture_test {
 
-/// A floor plan, its first line the highest row: '#' wall, '.' free, ' ' unknown. One cell a metre.
+/// A floor plan, its first line the highest row: '#' wall, '.' free, ' ' unknown. One cell per
+/// metre.
 OccupancyGrid grid_from_plan(const std::vector<std::string>& plan, const Pose2& T_map_grid = {}) {
   const auto num_rows = static_cast<std::int32_t>(plan.size());
   const auto num_columns = static_cast<std::int32_t>(plan.front().size());
@@ -97,7 +98,7 @@ TEST(MapPicture, PathLiesWhereTheRobotWasThoughTheGridIsAskew) {
   const OccupancyGrid grid = grid_from_plan(kPlan, T_map_grid);
   const Pose2 T_grid_base{2.5, 1.5, 0.0};
   MapPictureParams params = kBare;
-  params.min_side_px = 28;  // four pixels a cell
+  params.min_side_px = 28;  // four pixels per cell
   const Trajectory standing(2, {{}, T_map_grid * T_grid_base});
   const Image image = map_picture(grid, standing, params);
   ASSERT_EQ(image.width_px(), 28);

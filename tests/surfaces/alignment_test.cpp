@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using testing::uniform;
 
-/// One sample against one scan, in double precision and plain words.
+/// One sample against one scan, in double precision and plain code.
 struct PlainSample {
   Evidence evidence;
   double weight = 0.0;      ///< Of the residual: length of wall by Tukey's biweight and by facing.

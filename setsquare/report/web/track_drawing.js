@@ -82,7 +82,7 @@ class TrackDrawing {
     this.drawEnds(context, columns, rows);
   }
 
-  /** One path a colour: some dozens of strokes, however many poses. What lies out of sight, or less
+  /** One path per colour: some dozens of strokes, however many poses. What lies out of sight, or less
       than a pixel from what was drawn last, is left out. */
   drawColored(context, view, columns, rows) {
     const tones = this.tones[shared.colorBy];
