@@ -51,10 +51,9 @@ struct DistinctWallParams {
   double max_distance_m = 0.15;  ///< Of a sample from the surface that it agrees with.
   /// Samples lie on one line if the cosine between their normals is above this ...
   double same_line_cosine = 0.97;
-  double same_line_m = 0.25;  ///< ... and they are this near to it.
-  double same_clutter_m =
-      0.4;                  ///< Samples without a line that are this near together are one thing.
-  double max_line_m = 0.5;  ///< No line or thing counts for more.
+  double same_line_m = 0.25;    ///< ... and they are this near to it.
+  double same_clutter_m = 0.4;  ///< Samples without a line this near together are one thing.
+  double max_line_m = 0.5;      ///< No line or thing counts for more.
 
   /// Throws ParameterError that names the field.
   void validate() const;

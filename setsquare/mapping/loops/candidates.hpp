@@ -90,9 +90,8 @@ class ClosureCandidates {
   ClosureCandidateParams params_;
   std::vector<std::vector<Link>> links_;
   std::vector<double> way_from_start_m_;
-  std::vector<std::size_t> pieces_;  ///< Of each station.
-  std::vector<std::size_t>
-      joined_pieces_;  ///< Of each piece: the lowest one that it is connected to.
+  std::vector<std::size_t> pieces_;         ///< Of each station.
+  std::vector<std::size_t> joined_pieces_;  ///< Of each piece: the lowest one joined to it.
 };
 
 }  // namespace setsquare
