@@ -72,7 +72,7 @@ struct BuildingSummary {
 [[nodiscard]] BuildingSummary summarise(const BuildingStudy& study,
                                         std::optional<BuildingClass> building_class = {});
 
-/// One summary a class, then one of all.
+/// One summary per class, then one of all.
 [[nodiscard]] std::vector<BuildingSummary> summarise_by_class(const BuildingStudy& study);
 
 /// A pair by the building and the scans that it comes from.

@@ -38,7 +38,7 @@ struct HeadingErrors {
 /// Distance travelled up to each pose, in m.
 [[nodiscard]] std::vector<double> travelled_m(std::span<const Pose2> poses);
 
-/// Both sequences in one frame, one pose a scan, at least two.
+/// Both sequences in one frame, one pose per scan, at least two.
 [[nodiscard]] HeadingErrors heading_errors(std::span<const Pose2> chain,
                                            std::span<const Pose2> truth);
 

@@ -40,7 +40,7 @@ struct MapErrors {
   double heading_highest_rad = 0.0;
 
   std::size_t num_pieces = 0;
-  std::size_t num_unjoined = 0;  ///< Pieces of track of which nobody knows where they lie.
+  std::size_t num_unjoined = 0;  ///< Pieces of track whose place in the map is unknown.
   std::size_t num_lost = 0;      ///< Scans that tracking did not place.
   ClosureCounts closures = {};
 };

@@ -9,7 +9,7 @@
 
 namespace setsquare::experiments {
 
-/// One thing that we set out to reach. Not on the page: the tests and `--check-goals` ask.
+/// One goal of the experiments. Not on the page: the tests and `--check-goals` use it.
 struct Goal {
   std::string what;
   std::string paper;  ///< The paper's own figure, or a dash.
@@ -24,7 +24,7 @@ struct Goal {
 /// The goals, each computed from what was run.
 [[nodiscard]] std::vector<Goal> goals_of(const PaperExperiment& experiment);
 
-/// The wall time beside its goal, where all sections were run.
+/// The wall time and its goal, where all sections were run.
 [[nodiscard]] Goal time_goal(const PaperExperiment& experiment);
 
 [[nodiscard]] Json json_from(const std::vector<Goal>& goals);

@@ -13,7 +13,7 @@
 
 namespace setsquare::experiments {
 
-/// Relative pose of current in reference by another's method; nothing where it fails.
+/// Relative pose of current in reference by another method; nothing where it fails.
 using PeerMatcher = std::function<std::optional<Pose2>(const Scan& reference, const Scan& current)>;
 
 /// bando2014, section 5.1: scans 0.4 m or 10 deg apart along a hallway, every pair of them.

@@ -15,16 +15,17 @@
 
 namespace setsquare::experiments {
 
-/// Pairs where the truth is that little or nothing can be known.
+/// Pairs of scans that determine the pose little or not at all.
 struct HonestyStudyParams {
   std::size_t num_seeds = 20;  ///< Of each world, and of pairs of different buildings.
   std::size_t num_scans = 9;   ///< Of each run: 36 pairs.
 };
 
-/// Errors and claims along one direction: what happened beside what the information promises.
+/// Errors and claims along one direction: actual errors against the sigmas that the information
+/// claims.
 struct DirectionClaim {
   Spread error_m;                       ///< Absolute errors.
-  std::vector<double> claimed_sigma_m;  ///< One a pair; infinite where nothing is claimed.
+  std::vector<double> claimed_sigma_m;  ///< One per pair; infinite where nothing is claimed.
 };
 
 /// All pairs of one world.
@@ -54,7 +55,7 @@ inline constexpr std::array kAnswerStatuses = {MatchStatus::kMatched,
 
 struct HonestyStudy {
   std::size_t num_seeds = 0;
-  std::vector<HonestyOutcome> outcomes;  ///< One a world, then two different buildings.
+  std::vector<HonestyOutcome> outcomes;  ///< One per world, then two different buildings.
 };
 
 [[nodiscard]] HonestyStudy study_honesty(const HonestyStudyParams& params,

@@ -82,7 +82,8 @@ PaperExperiment run_with_progress(const PaperExperimentParams& params) {
       });
 }
 
-/// Prints what was to be reached beside what was; whether every must that was measured is met.
+/// Prints the goals and what was reached; returns whether every required goal that was measured is
+/// met.
 bool check_goals(const PaperExperiment& experiment) {
   std::vector<Goal> goals = goals_of(experiment);
   goals.push_back(time_goal(experiment));

@@ -6,8 +6,8 @@
 
 namespace setsquare {
 
-// The files of web/, as they were when the program was built (cmake/embed_text.cmake). A header of
-// its own because the source that the build writes includes it, too.
+// The files of web/, as they were when the program was built (cmake/embed_text.cmake). A
+// separate header, since the source that the build writes includes it, too.
 
 /// web/paper.html: the page's skeleton, with a mark such as "@SCRIPT@" for what goes in.
 [[nodiscard]] std::string paper_page();

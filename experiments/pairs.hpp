@@ -68,7 +68,7 @@ struct PairRecord {
   PairAnswer paper;  ///< The paper's method.
 };
 
-/// Which pairs are matched and by whom.
+/// Which pairs are matched, and by which matchers.
 struct PairParams {
   double max_distance_m = 5.0;  ///< Between the true positions.
   bool has_paper = true;        ///< Otherwise the paper's answers stay empty.

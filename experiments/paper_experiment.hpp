@@ -20,7 +20,7 @@ namespace setsquare::experiments {
 struct PaperExperimentParams {
   std::vector<std::string> sections = {};  ///< Of paper_section_names; empty for all.
   std::size_t num_threads = 2;
-  PeerMatcher icp = {};   ///< The ICP beside ours in section 5.1; may be empty.
+  PeerMatcher icp = {};   ///< The ICP compared with ours in section 5.1; may be empty.
   bool is_quick = false;  ///< A few seeds of everything, to see whether it works.
 };
 
@@ -42,7 +42,7 @@ struct PaperExperiment {
   Json timing;
 };
 
-/// Runs the sections. Throws ParameterError where a name is none of paper_section_names.
+/// Runs the sections. Throws ParameterError where a name is not in paper_section_names.
 [[nodiscard]] PaperExperiment run_paper_experiment(const PaperExperimentParams& params,
                                                    const SectionProgress& progress = {});
 

@@ -26,7 +26,7 @@ struct ChainCounts {
 /// Scans and the poses that a method gave them; unless it says otherwise each by its match with the
 /// one before, no loop closed, no odometry used.
 struct ScanChain {
-  std::vector<Pose2> T_map_base;  ///< One a scan.
+  std::vector<Pose2> T_map_base;  ///< One per scan.
   ChainCounts counts;
 };
 

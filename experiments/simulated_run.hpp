@@ -15,7 +15,7 @@
 
 namespace setsquare::experiments {
 
-/// Who looks, how he moves, and whether anybody else is there.
+/// The scanner, the robot's motion, and the people in the building.
 struct RunParams {
   ScannerModel scanner = utm_30lx();
   RobotSpeed speed = {};

@@ -27,7 +27,7 @@ struct Spread {
 /// part / whole; NaN where the whole is 0.
 [[nodiscard]] double share(std::size_t part, std::size_t whole);
 
-/// The value below which half of the values lie; NaN where there is none.
+/// The value below which half of the values lie; NaN without values.
 [[nodiscard]] double median(const std::vector<double>& values);
 
 /// Counts and errors of many answers.

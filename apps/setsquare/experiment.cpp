@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// `setsquare experiment ...`: starts setsquare-experiment, a program of its own (experiments/),
+// `setsquare experiment ...`: starts setsquare-experiment, a separate program (experiments/),
 // which owns the options: the command neither compiles nor links the studies.
 #include <unistd.h>
 
@@ -32,7 +32,7 @@ bool is_program(const std::filesystem::path& path) {
   return std::filesystem::is_regular_file(path, error) && ::access(path.c_str(), X_OK) == 0;
 }
 
-/// Beside this command's own file, else in a folder of PATH.
+/// In the folder of this command's file, else in a folder of PATH.
 std::optional<std::filesystem::path> find_program() {
   std::error_code error;
   const auto command = std::filesystem::read_symlink("/proc/self/exe", error);

@@ -17,7 +17,7 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Counts one more item and, ten times a second, draws the line. `fraction` is 0 to 1, nothing
+  /// Counts one more item and, ten times per second, draws the line. `fraction` is 0 to 1, nothing
   /// where the end is unknown.
   void advance(std::optional<double> fraction);
 

@@ -358,7 +358,7 @@ def page_time(runs, _old):
 
 
 def summary(runs, old):
-    """The paper's statements beside the three methods: docs/results.md."""
+    """The paper's statements and the three methods: docs/results.md."""
     found = Circuits(runs)
     halls, every = runs.paper_json()["section_5_1"]["all_hallways"], classes(runs)[-1]
     icp = halls["mrpt_icp"]

@@ -29,7 +29,7 @@ struct MatcherScore {
 };
 
 /// Each matcher once on each pair, the matchers taking turns pair by pair so that whatever else the
-/// machine does hits them alike.
+/// machine does affects them equally.
 [[nodiscard]] std::vector<MatcherScore> compare(const std::vector<Matcher>& matchers,
                                                 const std::vector<ScanPair>& pairs);
 

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 //
-// compare_peers FOLDER [LOG...] - our matchers beside MRPT's ICP, the baseline of bando2014, on
-// the same pairs of scans, in one run, without an initial guess. FOLDER holds a folder a log:
+// compare_peers FOLDER [LOG...] - our matchers and MRPT's ICP, the baseline of bando2014, on
+// the same pairs of scans, in one run, without an initial guess. FOLDER holds one folder per log:
 // intel/intel.clf, intel/intel.local.relations, intel/intel.loop.relations.
 
 #include <cstdio>

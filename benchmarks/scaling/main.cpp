@@ -38,7 +38,7 @@ double peak_memory_mb() {
   return static_cast<double>(usage.ru_maxrss) / 1024.0;
 }
 
-/// Maps a simulated log, scan by scan; nothing of it is stored. Returns microseconds a scan.
+/// Maps a simulated log, scan by scan; nothing of it is stored. Returns microseconds per scan.
 double measure(const BlockBuildingSize& size, const ScalingOptions& options) {
   const Building building = make_block_building(size, options.seed);
   const RayCaster caster(building.plan);

@@ -35,7 +35,7 @@ constexpr std::array<Wall, 18> kWalls = {{
     {8.0, 7.0, 8.0, 8.0},
     {8.0, 8.0, 6.0, 8.0},
     {6.0, 8.0, 6.0, 7.0},
-    // A board askew, and two pilasters.
+    // An oblique board, and two pilasters.
     {1.0, 6.0, 2.5, 7.5},
     {10.5, 0.0, 10.5, 0.4},
     {0.0, 4.5, 0.4, 4.5},

@@ -19,7 +19,7 @@ function classTable(caption, classes, method) {
     }) });
 }
 
-/** A value of each tenth of overlap that has at least 10 pairs. */
+/** One value per tenth of overlap that has at least 10 pairs. */
 function overlapSeries(name, bins, valueOf) {
   return { name, points: bins.map(({ overlap_from: from, tally }) => (
     [100 * from + 5, tally.num_pairs >= 10 ? valueOf(tally) : NaN])) };

@@ -48,7 +48,7 @@ function plan(drawing, hasNumbers = false) {
     viewBox: `0 0 ${scale.width} ${scale.height}`, "aria-label": "floor plan" });
   const walls = drawing.walls.map(([x1, y1, x2, y2]) => `M${scale.words(x1, y1)}L${scale.words(x2, y2)}`);
   svg.append(shape("path", { class: "wall", d: walls.join("") }));
-  // The last way lies below: a chart beside the plan gives the first ones the same colours.
+  // The last way lies below: a chart next to the plan gives the first ones the same colours.
   [...drawing.paths.entries()].reverse().forEach(([i, { points }]) => {
     const style = `s${1 + (i % 5)}`;
     const line = points.map(([x, y]) => scale.words(x, y)).join("L");

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What a reader wants first: the paper's statements beside what came out here.
+// The first section of the page: the paper's statements and our results.
 
 const kNothing = { text: "-", style: "faint" };
 const kLeftOut = { text: "left out", style: "faint" };

@@ -19,8 +19,8 @@ struct NormalEquations {
 };
 
 /// The Gauss-Newton step, damped: where the data determine nothing the step is short, not wild.
-/// `damping`: added to the hessian's diagonal, in its units. `prior`: what is known beside the
-/// data.
+/// `damping`: added to the hessian's diagonal, in its units. `prior`: what is known in addition to
+/// the data.
 template <int kSize>
 [[nodiscard]] Eigen::Matrix<double, kSize, 1> damped_step(
     const NormalEquations<kSize>& data,

@@ -64,7 +64,7 @@ int write_and_close(std::FILE* file, std::string_view bytes) {
   return errno;
 }
 
-/// The bytes of a file-to-be under a temporary name beside it, which goes unless it was renamed.
+/// The bytes of a file under a temporary name in its folder; removed unless it was renamed.
 class StagedFile {
  public:
   StagedFile(const std::string& path, std::string_view bytes)

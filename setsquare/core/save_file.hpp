@@ -8,13 +8,13 @@
 
 namespace setsquare {
 
-/// Writes the bytes to a new temporary name beside `path` and renames it: a killed run leaves no
-/// half file under the name, and an older file stays whole until then; its permissions are kept. A
-/// symbolic link stays, and the file that it names is replaced. What is no regular file (a device,
-/// a pipe, /dev/stdout) is written to as it is. Throws FileError.
+/// Writes the bytes to a new temporary name in the folder of `path` and renames it: a killed run
+/// leaves no half file under the name, and an older file stays whole until then; its permissions
+/// are kept. A symbolic link stays, and the file that it names is replaced. Anything but a regular
+/// file (a device, a pipe, /dev/stdout) is written to directly. Throws FileError.
 void save_file(const std::string& path, std::string_view bytes);
 
-/// A file to be: its path, and the bytes that it shall have, which are the caller's.
+/// A file to write: path and bytes (not owned).
 struct FileBytes {
   std::string path;
   std::string_view bytes;

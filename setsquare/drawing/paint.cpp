@@ -88,7 +88,7 @@ float& Coverage::share(int column, int row) {
                  static_cast<std::size_t>(column - columns_.begin)];
 }
 
-/// The box of all finite points, widened by the reach; inverted where there is none.
+/// The box of all finite points, widened by the reach; inverted without finite points.
 Coverage coverage_around(const Image& image,
                          std::span<const Stroke> strokes,
                          double half_width_px) {

@@ -20,7 +20,7 @@ bool is_grey(const Image& image) {
   });
 }
 
-/// The pixels as libpng takes them: one byte a pixel in grey, else three.
+/// The pixels as libpng takes them: one byte per pixel in grey, else three.
 std::vector<std::uint8_t> bytes_of(const Image& image, bool grey) {
   std::vector<std::uint8_t> bytes;
   bytes.reserve(image.pixels().size() * (grey ? 1 : 3));

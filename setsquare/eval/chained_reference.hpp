@@ -25,12 +25,12 @@ struct HopParams {
   void validate() const;
 };
 
-/// What a chain tells, with its noise.
+/// The relative pose along a chain, with its noise.
 [[nodiscard]] ReferencePose expected_pose(const ChainedPose& chained);
 
-/// Where a robot was at one scan, seen from another, as relations tell it that have neither stamp:
-/// from i a short hop along the trajectory to a relation's stamp, a chain of relations, a short hop
-/// to j. Nothing of the trajectory but the two hops enters.
+/// Relative pose of two scans, from relations that contain neither stamp: a short hop along the
+/// trajectory from i to a relation's stamp, a chain of relations, a short hop to j. Only the two
+/// hops use the trajectory.
 class ChainedReference {
  public:
   ChainedReference(std::span<const Relation> relations,
@@ -56,19 +56,19 @@ struct ChainCheckParams {
   RelationGraphParams graph;
 };
 
-/// How well chains of relations foretell relations that are not in them.
+/// How well chains of relations predict relations that are not in them.
 struct ChainCheck {
   std::size_t num_relations = 0;  ///< Long enough to be checked.
-  /// As closures; unjudged are those that the others do not chain to. A right relation that comes
-  /// out wrong is the judge's fault.
+  /// As closures; unjudged are those that the others do not chain to. A right relation that is
+  /// judged wrong is an error of the judgement.
   ClosureCounts verdicts;
   ErrorStatistics translation_m;  ///< Of the cheapest chains.
   ErrorStatistics rotation_rad;
 };
 
 /// Leaves out each relation in turn (and all others between the same two stamps), and judges it by
-/// the chains of the rest as if it were a closure. It shows how far the judge of closures is to be
-/// believed.
+/// the chains of the rest as if it were a closure. It shows how reliable the verdicts on closures
+/// are.
 [[nodiscard]] ChainCheck check_chains(std::span<const Relation> relations,
                                       const ChainCheckParams& params = {});
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSureSigmas = 2.0;
 
-/// What one expected pose says of an error: right or wrong for sure, or borderline.
+/// The verdict of one expected pose on an error: surely right, surely wrong, or borderline.
 ClosureTruth verdict_of(const ClosureError& error,
                         const ReferencePose& expected,
                         const ClosureLimits& limits) {

@@ -40,11 +40,10 @@ enum class ClosureTruth {
   kWrong,
   kBorderline,  ///< Nearer to the limits than the reference's own noise (two sigma).
   kDisputed,    ///< Two independent poses of the reference disagree whether it is right.
-  kUnjudged,    ///< The reference does not tell.
+  kUnjudged,    ///< No reference reaches it.
 };
 
-/// T_i_j as a reference tells it, and how well it knows: one sigma of its position, along either
-/// axis, and of its heading.
+/// T_i_j by a reference, with one sigma of its position, along either axis, and of its heading.
 struct ReferencePose {
   Pose2 T_i_j;
   double translation_sigma_m = 0.0;

@@ -58,8 +58,8 @@ struct ChainedPose {
 /// the position of j that of its translation, and that of its rotation times the distance from
 /// there to j (the lever); to the heading that of its rotation. The cost of a chain is
 ///   (sigma_translation / max_translation_sigma)^2 + (sigma_rotation / max_rotation_sigma)^2,
-/// and the cheapest chain is found by Dijkstra's algorithm from j backwards, for there the levers
-/// are known. What costs more than 1 is no chain.
+/// and the cheapest chain is found by Dijkstra's algorithm from j backwards, where the levers are
+/// known. Chains that cost more than 1 are discarded.
 class RelationGraph {
  public:
   explicit RelationGraph(std::span<const Relation> relations,

@@ -22,7 +22,7 @@ struct GaussNewtonSummary {
 };
 
 /// Polishes all poses at once, headings included: Gauss-Newton on SE(2) over the constraints, by
-/// their weights, and the heading measurements. Wants a good start (solve_positions). Node 0's
+/// their weights, and the heading measurements. Needs a good start (solve_positions). Node 0's
 /// position stays; its heading, too, unless there are heading measurements. A step that does not
 /// lower the cost is halved, and given up after a few halvings.
 GaussNewtonSummary polish(PoseGraph& graph, const GaussNewtonParams& params = {});

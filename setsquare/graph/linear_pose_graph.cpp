@@ -15,7 +15,7 @@ namespace setsquare {
 namespace {
 
 /// Shares of a term's larger eigenvalue: below the first a direction is not bound, below the second
-/// x and y are not coupled; both far above rounding and far below what a measurement tells.
+/// x and y are not coupled; both far above rounding and far below the information of a measurement.
 constexpr double kUnboundShare = 1e-9;
 constexpr double kUncoupledShare = 1e-13;
 /// Share of a diagonal entry below which its pivot is rounding alone.
@@ -140,7 +140,7 @@ void PositionSystem::solve(std::span<const double> weights,
                                                          step_axis(1, weights, positions_m))
                                               : step_both(weights, positions_m);
   // Weak constraints in a long chain make small pivots, too: these are judged only where some node
-  // hangs on the others by one axis at a time.
+  // is connected to the others by one axis at a time.
   const bool is_doubtful = !(smallest_pivot > kDoubtfulPivot);
   if (!(smallest_pivot > 0.0) || (is_doubtful && num_pieces(weights, 2) > 1)) {
     throw ParameterError("constraints", "leave the position of a node open along an axis");

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // With headings known, a pose graph is linear in the positions (as in LAGO: carlone2014).
-// With headings known, a pose graph is linear in the positions (as in LAGO: Carlone et al. 2014).
 #pragma once
 
 #include <Eigen/Core>
@@ -12,7 +11,7 @@
 #include "setsquare/graph/pose_graph.hpp"
 
 namespace setsquare {
-/// What one constraint says of the positions while the headings stay: the conditional of its
+/// One constraint on the positions while the headings stay fixed: the conditional of its
 /// Gaussian, given the rotation that the headings have.
 ///
 ///   r^T Omega r = e^T W e + what the positions do not change,   e = p_to - p_from - d
@@ -28,7 +27,7 @@ struct PositionTerm {
   int num_bound_axes = 0;                                    ///< Rank of W: 0, 1 or 2.
 };
 
-/// The term of a constraint. A direction in which W says nothing is left without displacement.
+/// The term of a constraint. A direction without information in W gets no displacement.
 [[nodiscard]] PositionTerm position_term(const PoseGraph& graph, const Constraint& constraint);
 
 /// e^T W e at these positions: chi-squared with num_bound_axes degrees of freedom where the
@@ -46,7 +45,7 @@ class PositionSystem {
   PositionSystem(PositionSystem&&) noexcept;
   PositionSystem& operator=(PositionSystem&&) noexcept;
 
-  /// One term a constraint, in their order.
+  /// One term per constraint, in their order.
   [[nodiscard]] const std::vector<PositionTerm>& terms() const { return terms_; }
 
   /// Whether no term couples x with y: then they are solved apart.
@@ -54,12 +53,12 @@ class PositionSystem {
 
   /// Moves the positions to the minimum of sum_k weight_k e_k^T W_k e_k; node 0 stays. It is the
   /// same from any positions, up to rounding: a second call from there takes out what rounding of
-  /// the first has left. Throws ParameterError where a node hangs on nothing.
+  /// the first has left. Throws ParameterError where a node is not connected.
   void solve(std::span<const double> weights, std::vector<Eigen::Vector2d>& positions_m);
 
  private:
   struct Equations;
-  /// How many sets of nodes there are that hang together by terms that bind so many axes or more.
+  /// The number of sets of nodes connected by terms that bind at least this many axes.
   [[nodiscard]] std::size_t num_pieces(std::span<const double> weights, int num_axes) const;
   /// One step of x or y, or of both; each returns BlockEquations::factor(), or 0 and moves nothing.
   double step_axis(int axis,
@@ -77,8 +76,8 @@ class PositionSystem {
 /// headings stay as they are: one sparse linear solve, no initial value. A constraint whose
 /// rotation disagrees with the headings pulls its translation along by its information
 /// (off-diagonal terms). Node 0 stays. Where no constraint couples x with y in the map frame the
-/// two axes are solved apart. Every node must hang on node 0 by constraints that bind both axes;
-/// throws ParameterError where one does not.
+/// two axes are solved apart. Every node must be connected to node 0 by constraints that bind both
+/// axes; throws ParameterError where one does not.
 [[nodiscard]] std::vector<Eigen::Vector2d> solve_positions(const PoseGraph& graph);
 
 }  // namespace setsquare

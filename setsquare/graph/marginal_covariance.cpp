@@ -19,7 +19,7 @@ struct MarginalCovariance::Factor {
   PoseEquations equations;
 
   /// Joint covariance of the nodes' poses, 3 rows and columns each: those of H^-1, for which one
-  /// unit column is solved an unknown. What of node 0 is held has none.
+  /// unit column per unknown is solved. The held part of node 0 has no covariance.
   [[nodiscard]] Eigen::MatrixXd joint(std::span<const std::size_t> nodes) const {
     const auto n = static_cast<Eigen::Index>(nodes.size());
     const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());

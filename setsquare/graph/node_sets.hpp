@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-/// Sets of nodes that hang together: each node alone at first, then joined two by two.
+/// Sets of connected nodes: each node alone at first, then joined two by two.
 class NodeSets {
  public:
   explicit NodeSets(std::size_t num_nodes) : parent_(num_nodes), num_sets_(num_nodes) {

@@ -31,8 +31,8 @@ bool has_heading(const PoseGraph& graph) {
   return false;
 }
 
-/// Whether all nodes hang together, however weakly. Pivots alone do not tell: in a large graph the
-/// rounding of a pivot that should vanish can pass for a hold.
+/// Whether all nodes are connected, however weakly. Pivots alone do not show it: in a large graph
+/// the rounding of a pivot that should vanish can look like a constraint.
 bool is_one_piece(const PoseGraph& graph) {
   NodeSets sets(graph.T_map_node.size());
   for (const Constraint& constraint : graph.constraints) {

@@ -21,7 +21,7 @@ struct ResidualJacobians {
 [[nodiscard]] double cost(const PoseGraph& graph);
 
 /// The Gauss-Newton equations of all poses (x, y, theta in the map frame). What of node 0 is held
-/// has an equation of its own, 1 x = 0, coupled with nothing.
+/// has a separate equation, 1 x = 0, coupled with nothing.
 class PoseEquations {
  public:
   /// For a graph that validate() accepts; throws as it does.
@@ -34,7 +34,8 @@ class PoseEquations {
   /// weights. Throws ParameterError where a pose is left open.
   void linearize(const PoseGraph& graph);
 
-  /// The step to the minimum of the linearized problem: 3 numbers a node. Wants a node.
+  /// The step to the minimum of the linearized problem: 3 numbers per node. Needs at least one
+  /// node.
   [[nodiscard]] Eigen::VectorXd step() const { return equations_.solve(equations_.b); }
 
   /// H^-1 times columns.

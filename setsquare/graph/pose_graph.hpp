@@ -11,8 +11,8 @@
 namespace setsquare {
 
 enum class ConstraintKind {
-  kOdometry,     ///< Between neighbours of the track: always believed.
-  kLoopClosure,  ///< Between places visited twice: believed by its weight.
+  kOdometry,     ///< Between neighbours of the track: always of full weight.
+  kLoopClosure,  ///< Between places visited twice: counts by its weight.
 };
 
 /// A measured relative pose of two nodes.

@@ -4,7 +4,8 @@
 
 namespace setsquare {
 
-/// Parameters of solve_robustly. A header of its own: MapperParams needs it without the solver.
+/// Parameters of solve_robustly. A separate header, so that MapperParams need not include the
+/// solver.
 struct RobustPoseGraphParams {
   /// Squared error beyond which a closure that binds both axes is taken for wrong: chi-squared of
   /// two degrees of freedom. One that binds a single axis has the threshold that chi-squared of one

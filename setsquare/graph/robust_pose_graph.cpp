@@ -15,7 +15,7 @@
 namespace setsquare {
 namespace {
 
-/// A direction that odometry leaves open is off by about so much.
+/// Typical error along a direction that odometry leaves open.
 constexpr double kOpenSigma_m = 100.0;
 
 /// The weight that is left, for the solve alone, to a refused closure between pieces of track that
@@ -51,7 +51,7 @@ std::vector<ClosureGroup> group_closures(const PoseGraph& graph,
   return result;
 }
 
-/// What each constraint weighs at least, for the solve alone.
+/// The least weight of each constraint, for the solve alone.
 std::vector<double> least_weights(const PoseGraph& graph) {
   NodeSets pieces(graph.T_map_node.size());
   for (const Constraint& constraint : graph.constraints) {
@@ -88,7 +88,7 @@ double tls_weight(double squared_error, double mu) {
 
 /// Weights, and the positions that they lead to.
 struct RobustSolution {
-  std::vector<double> weights;  ///< One a constraint.
+  std::vector<double> weights;  ///< One per constraint.
   std::vector<Eigen::Vector2d> positions_m;
   double cost = 0.0;  ///< Truncated least squares, odometry included.
 };

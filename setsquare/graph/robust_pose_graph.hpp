@@ -45,14 +45,14 @@ class DeadReckoning {
 ///
 /// The squared error of a closure is e^T W e: W is the information of its translation given the
 /// rotation, and e has the part taken out that a rotation at variance with the headings explains
-/// (position_system.hpp). The rotation itself is not judged. Whoever trusts a closure's rotation
-/// less than the headings' own errors passes a W without that coupling.
+/// (linear_pose_graph.hpp). The rotation itself is not judged. A caller that trusts a closure's
+/// rotation less than the headings passes a W without that coupling.
 ///
-/// `groups`: one entry a constraint; closures of one group stand or fall together, by their mean
-/// squared error as a share of their thresholds; empty: each stands alone. Odometry constraints
-/// keep their weight. A piece of track that odometry does not join to node 0 still gets a position
-/// where all closures that join it are refused: the one that they agree upon best. Throws
-/// ParameterError where a node hangs on nothing, or a parameter or the graph is not valid.
+/// `groups`: one entry per constraint; closures of one group are accepted or refused together, by
+/// their mean squared error as a share of their thresholds; empty: each stands alone. Odometry
+/// constraints keep their weight. A piece of track that odometry does not join to node 0 still gets
+/// a position where all closures that join it are refused: the one that they agree upon best.
+/// Throws ParameterError where a node is not connected, or a parameter or the graph is not valid.
 void solve_robustly(PoseGraph& graph,
                     std::span<const std::size_t> groups = {},
                     const RobustPoseGraphParams& params = {});

@@ -10,12 +10,12 @@
 
 namespace setsquare {
 
-/// Which beams tell something of the space that they crossed.
+/// Which beams have information on the space that they crossed.
 struct BeamEndParams {
   double max_return_range_m = 30.0;    ///< Farther returns count as no-returns.
   double max_no_return_range_m = 4.0;  ///< A no-return proves free space only this far, and ...
-  /// ... only where so many neighbouring beams returned nothing: a single one is a drop-out, which
-  /// may have met a wall.
+  /// ... only where this many neighbouring beams returned nothing: a single one is a drop-out,
+  /// which may have met a wall.
   int min_neighbouring_no_returns = 3;
   /// Neighbouring returns nearer to each other are taken for one surface.
   double max_joint_m = 0.5;
@@ -33,13 +33,13 @@ struct BeamEnd {
 };
 
 /// Finds the ends of a scan's beams; the directions of the last scan's geometry are kept, since
-/// most logs have but one.
+/// most logs have only one.
 class BeamEndFinder {
  public:
   /// Throws ParameterError.
   explicit BeamEndFinder(const BeamEndParams& params = {});
 
-  /// The ends of all beams that tell something, in their order. Valid until the next call.
+  /// The ends of all beams that have information, in their order. Valid until the next call.
   [[nodiscard]] const std::vector<BeamEnd>& find(const Scan& scan);
 
  private:

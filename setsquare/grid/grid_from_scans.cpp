@@ -14,7 +14,7 @@
 namespace setsquare {
 namespace {
 
-constexpr double kFarthest_m = 1e6;  // a pose beyond is no place in a building
+constexpr double kFarthest_m = 1e6;  // a pose beyond it is not in a building
 
 bool is_usable(const Pose2& pose) {
   return std::abs(pose.x_m) < kFarthest_m && std::abs(pose.y_m) < kFarthest_m &&
@@ -129,7 +129,7 @@ void fill_band(OccupancyGrid& grid,
   band.finish(params.insertion);
 }
 
-/// Fills the grid, cut into a few bands a thread.
+/// Fills the grid, cut into a few bands per thread.
 void fill(OccupancyGrid& grid,
           const std::vector<GridScan>& scans,
           const GridFromScansParams& params) {

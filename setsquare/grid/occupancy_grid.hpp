@@ -21,9 +21,9 @@ struct CellIndex {
 /// What a cell is known to be.
 enum class CellState { kUnknown, kFree, kOccupied };
 
-/// Log-odds occupancy of square cells. The grid has a frame of its own, whose origin is the lower
-/// left corner of cell (0, 0) and whose axes run along rows and columns: a grid may lie askew in
-/// the map, for example along a building's walls.
+/// Log-odds occupancy of square cells. The grid has its own frame, whose origin is the lower
+/// left corner of cell (0, 0) and whose axes run along rows and columns: a grid may lie at an angle
+/// in the map, for example along a building's walls.
 class OccupancyGrid {
  public:
   /// `T_map_grid` is the pose of the lower left corner. Throws ParameterError where the resolution

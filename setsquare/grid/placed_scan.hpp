@@ -7,8 +7,8 @@
 
 namespace setsquare {
 
-/// A scan where it was taken. The scan is the caller's and must outlive this. A header of its own:
-/// who has a map needs it without the parameters of the grid.
+/// A scan where it was taken. The scan is the caller's and must outlive this. A separate
+/// header, so that users of a map need not include the rest of the grid.
 struct PlacedScan {
   const Scan* scan = nullptr;
   Pose2 T_map_sensor;

@@ -72,7 +72,7 @@ void EvidenceBand::pass(SubcellPoint from, SubcellPoint to, float weight) {
   const bool is_inside = is_column(cell_of(from).column) && is_column(cell_of(to).column);
   float* const num_passes = num_passes_.data();
   const auto stride = static_cast<std::ptrdiff_t>(num_columns_);
-  RayTraversal walk = ray;  // a copy whose address nobody has stays in registers
+  RayTraversal walk = ray;  // a copy whose address is not taken stays in registers
   for (; step < end; ++step, walk.advance()) {
     const CellIndex cell = walk.cell();
     if (!is_inside && !is_column(cell.column)) continue;

@@ -28,10 +28,10 @@ struct ScanInsertionParams {
   void validate() const;
 };
 
-/// Counts what beams tell of the cells of some rows of a grid: plain numbers, so that neither the
-/// order of the scans nor the bands that the grid is cut into make a difference. Passes are counted
-/// in the float of each cell that will hold its log-odds, exact up to 2^24, so that a large grid
-/// needs little more memory than itself.
+/// Counts the evidence of beams for the cells of some rows of a grid: plain numbers, so that
+/// neither the order of the scans nor the bands that the grid is cut into make a difference. Passes
+/// are counted in the float of each cell that will hold its log-odds, exact up to 2^24, so that a
+/// large grid needs little more memory than itself.
 class EvidenceBand {
  public:
   /// The band's cells lie row by row in `num_passes` and `num_hits`, both zero and the caller's.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from square_direction, its only caller, because tests try it on curves of their own.
+// Apart from square_direction, its only caller, because tests try it on their own curves.
 #pragma once
 
 #include <cstddef>

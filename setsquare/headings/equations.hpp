@@ -47,7 +47,7 @@ class TridiagonalFactor {
 /// The drifts of a chain of keyframes and the offsets of the building's frames.
 struct HeadingSolution {
   std::vector<double> drift_rad;  ///< One per keyframe.
-  Eigen::VectorXd offset_rad;     ///< One a frame beside the main one.
+  Eigen::VectorXd offset_rad;     ///< One per frame other than the main one.
 };
 
 /// Their variances, in rad^2.
@@ -58,7 +58,7 @@ struct HeadingVariances {
 
 /// Normal equations of drifts d_k along a chain and of the offsets o_f of frames f = 1, 2, ...
 /// against the main frame 0, whose offset is 0 by definition: tridiagonal in the drifts, bordered
-/// by one dense column a frame. Solved exactly by the Schur complement of the drifts.
+/// by one dense column per frame. Solved exactly by the Schur complement of the drifts.
 class HeadingEquations {
  public:
   HeadingEquations(std::size_t num_keyframes, std::size_t num_frames);
@@ -85,7 +85,7 @@ class HeadingEquations {
   [[nodiscard]] Schur eliminate() const;
 
   TridiagonalSystem chain_;
-  std::vector<std::vector<double>> border_;  ///< One column a frame beside the main one.
+  std::vector<std::vector<double>> border_;  ///< One column per frame other than the main one.
   Eigen::VectorXd offset_diagonal_;
   Eigen::VectorXd offset_right_;
 };

@@ -29,7 +29,7 @@ struct Piece {
   double first_rad = 0.0;  ///< Offset at its first keyframe ...
   double last_rad = 0.0;   ///< ... and at its last one.
   double support = 0.0;
-  bool tells = false;  ///< Which frame it belongs to.
+  bool tells = false;  ///< Whether its support suffices to determine its frame.
 };
 
 std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& keyframes,
@@ -60,7 +60,7 @@ void judge_support(std::vector<Piece>& pieces, const HeadingFramesParams& params
 }
 
 /// True of an excursion: after the piece the walls' offset is what it was before. Two slips do not
-/// make up for each other; a wall that stands askew, seen for a while, does that.
+/// make up for each other; an oblique wall, seen for a while, does that.
 bool is_soon_undone(const std::vector<Piece>& pieces,
                     std::size_t p,
                     double period_rad,
@@ -82,8 +82,8 @@ std::vector<double> step_sigmas(const std::vector<HeadingEvidence>& keyframes) {
   return sigma_rad;
 }
 
-/// The frame that comes nearest: the one right before, but for a slip, or one seen earlier; where
-/// none is near enough a new one. Without one right before, `before` is no frame's.
+/// The nearest frame: the preceding one, but for a slip, or one seen earlier; a new one where none
+/// is near enough. Without a preceding frame, `before` is no valid index.
 std::size_t frame_at(double offset_rad,
                      std::size_t before,
                      double period_rad,
@@ -144,7 +144,7 @@ class PieceChain {
       found.frames[frame_].support += piece.support;
     }
     if (frame_ == before && is_undone) {
-      frame_ = kNoFrame;  // An excursion too small for a frame of its own: the drift stays.
+      frame_ = kNoFrame;  // An excursion too small for a new frame: the drift stays.
       step_rad = 0.0;
     } else if (frame_ == before && std::abs(step_rad) > params_.min_slip_rad) {
       double& sigma_rad = found.step_sigma_rad[piece.begin];

@@ -18,7 +18,7 @@ struct HeadingFrame {
   double support = 0.0;     ///< Keyframes that see it, each counted by its confidence.
 };
 
-/// The frames of a building, and what the trace says of the drift once they are known.
+/// The frames of a building, and the drift by the trace once they are known.
 struct HeadingFrames {
   std::vector<HeadingFrame> frames;  ///< The main one first, by falling support; never empty.
   std::vector<double> drift_rad;     ///< One per keyframe, unwrapped; rough, to half a bin or so.
@@ -29,11 +29,11 @@ struct HeadingFrames {
   double share = 1.0;
 };
 
-/// Tells drift from changes of frame: the trace's pieces between changes are laid end to end, for
-/// the tracked heading does not jump where the walls do. A piece whose offset comes out as that of
-/// a frame already seen belongs to it; else it begins a frame. A jump too small for another frame
-/// is a slip of tracking. Pieces of little support tell nothing: they neither begin a frame nor
-/// belong to one, and the drift goes on through them. The frame of the most support is the main
+/// Separates drift from changes of frame: the trace's pieces between changes are laid end to end,
+/// since the tracked heading does not jump where the walls do. A piece whose offset comes out as
+/// that of a frame already seen belongs to it; else it begins a frame. A jump too small for another
+/// frame is a slip of tracking. Pieces of little support are ignored: they neither begin a frame
+/// nor belong to one, and the drift goes on through them. The frame of the most support is the main
 /// one, at offset 0.
 [[nodiscard]] HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                                                 const HeadingTrace& trace,

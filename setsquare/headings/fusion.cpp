@@ -16,7 +16,7 @@ namespace {
 
 using Measurements = std::vector<AssignedProposal>;
 
-/// A frame's offset is not known beforehand, but that it lies within the period.
+/// Prior of a frame's offset: it is only known to lie within the period.
 void bind_offsets(const HeadingFrames& found, double period_rad, HeadingEquations& equations) {
   for (std::size_t f = 1; f < found.frames.size(); ++f) {
     equations.bind_offset(f, found.frames[f].offset_rad, 1.0 / (period_rad * period_rad));
@@ -88,12 +88,12 @@ void add_sigmas(const Measurements& measurements,
   }
 }
 
-/// What each keyframe's measurements say together: their weighted mean.
+/// The weighted mean of each keyframe's measurements.
 void add_measured(const Measurements& measurements,
                   const std::vector<double>& weight,
                   const HeadingFrames& found,
                   FusedHeadings& fused) {
-  constexpr double kMinWeight = 0.05;  // Less is no belief.
+  constexpr double kMinWeight = 0.05;  // A smaller weight is ignored.
   for (std::size_t m = 0; m < measurements.size(); ++m) {
     const AssignedProposal& measurement = measurements[m];
     const std::size_t k = measurement.keyframe;

@@ -16,7 +16,7 @@ struct AssignedProposal {
   std::size_t keyframe = 0;
   std::size_t frame = 0;
   double offset_rad = 0.0;  ///< Measured drift plus frame's offset, unwrapped near the rough drift.
-  double information = 0.0;  ///< In 1/rad^2, beliefs included, before robust weights.
+  double information = 0.0;  ///< In 1/rad^2, confidences included, before robust weights.
 };
 
 /// The proposals that fit a frame to `gate_rad` where the drift is about `found.drift_rad`, in the
@@ -30,20 +30,20 @@ struct AssignedProposal {
     double gate_rad,
     double building_sigma_rad);
 
-/// The headings after fusion, one value a keyframe unless it says otherwise. The map's axes are
+/// The headings after fusion, one value per keyframe unless it says otherwise. The map's axes are
 /// those of the main frame of the building.
 struct FusedHeadings {
   std::vector<double> heading_rad;        ///< Tracked heading plus drift; wrap before comparing.
   std::vector<double> drift_rad;          ///< What was added to the tracked heading.
-  std::vector<double> weight;             ///< How far its proposals are believed, 0 to 1.
+  std::vector<double> weight;             ///< Weight of its proposals, 0 to 1.
   std::vector<double> heading_sigma_rad;  ///< Standard deviation against the main frame's walls;
                                           ///< infinite where no wall was seen in the whole log.
-  /// What the proposals believed say of the heading in the map, near heading_rad: the frame's
+  /// The heading in the map by the accepted proposals, near heading_rad: the frame's
   /// offset taken off, the quarter turn decided. heading_rad where there are none.
   std::vector<double> measured_heading_rad;
   /// Information of that measurement, in 1/rad^2, robust weight included; 0 where there is none.
   std::vector<double> measured_information;
-  std::vector<int> frame;  ///< Whose walls were seen: index of `frames`; -1 where none is believed.
+  std::vector<int> frame;  ///< Whose walls were seen: index of `frames`; -1 where none has weight.
   std::vector<HeadingFrame> frames;  ///< Of the building, the main one first.
 };
 

@@ -33,7 +33,7 @@ struct SquareDirectionParams {
   double min_pair_distance_m = 0.5;    ///< Along the wall, between two pieces of one line.
   double pair_sigma_m = 0.01;          ///< Of the offset between two pieces of one line.
   double pair_inlier_m = 0.06;         ///< Offset at which a pair's weight has fallen to 1/4.
-  double pair_weight = 3.0;            ///< Of a pair, beside a piece of the same precision.
+  double pair_weight = 3.0;            ///< Of a pair, relative to a piece of the same precision.
   std::size_t max_num_paired = 64;     ///< Pieces that are paired, the longest.
 
   /// Throws ParameterError where a field is outside its domain.
@@ -45,11 +45,12 @@ struct SquareDirectionParams {
 struct HeadingTraceParams {
   double period_rad = 0.5 * kPi;          ///< Of the proposals.
   double bin_rad = rad_from_deg(0.5);     ///< Of the offset; divides the period.
-  double inlier_rad = rad_from_deg(2.0);  ///< A proposal this far off tells nothing.
+  double inlier_rad = rad_from_deg(2.0);  ///< A proposal farther off than this is ignored.
   double drift_cost = 0.25;               ///< Of drift, for each standard deviation of the step.
   double min_step_sigma_rad = rad_from_deg(0.15);  ///< No step is more certain than this.
-  /// A move beyond as many standard deviations, and beyond min_change_rad, is no drift whatever it
-  /// costs: where one scan was lost the walls may turn by 45 deg, but the robot unseen may not.
+  /// In standard deviations. A larger move that also exceeds min_change_rad is never drift,
+  /// whatever its cost: where one scan was lost the walls may turn by 45 deg, but an unseen robot
+  /// may not.
   double max_drift_sigmas = 4.0;
   double min_change_rad = rad_from_deg(10.0);
   double change_cost = 6.0;  ///< Of a change of frame, however large.
@@ -65,10 +66,9 @@ struct HeadingFramesParams {
   std::size_t max_excursion = 60;             ///< Keyframes until which a jump is undone soon.
   double same_frame_rad = rad_from_deg(4.0);  ///< A frame seen again comes out this near.
   double min_slip_rad = rad_from_deg(2.5);    ///< A smaller jump is noise of the trace.
-  /// Keyframes, each counted by its confidence, that a piece of the trace needs to tell anything
-  /// ...
+  /// Keyframes, each counted by its confidence: support that a piece needs to count ...
   double min_support = 8.0;
-  /// ... and their share of all its keyframes. Where no piece has both, the best supported tells.
+  /// ... and their share of all its keyframes. Where no piece has both, the best supported counts.
   double min_share = 0.25;
 
   /// Throws ParameterError that names the field.
@@ -79,11 +79,11 @@ struct HeadingFramesParams {
 struct HeadingFusionParams {
   HeadingTraceParams trace = {};
   HeadingFramesParams frames = {};
-  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, beside its own sigma.
+  double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, in addition to its own sigma.
   double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
   int num_iterations = 30;                ///< Of reweighting.
-  /// Neighbouring keyframes see the same walls and err alike: as many of them count as one
-  /// measurement in the standard deviations.
+  /// Neighbouring keyframes see the same walls, so their errors are correlated: this many of them
+  /// count as one measurement in the standard deviations.
   double num_alike = 6.0;
 
   /// Throws ParameterError that names the field.

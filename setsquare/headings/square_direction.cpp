@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t kNumBins = 180;  // Of the density: 0.5 deg each.
 constexpr double kBin_rad = kQuarterTurn / static_cast<double>(kNumBins);
 
-/// Density of the rotations that lay a piece along an axis, modulo 90 deg, one value a bin. A
+/// Density of the rotations that lay a piece along an axis, modulo 90 deg, one value per bin. A
 /// piece counts by the root of its length, spread by a normal curve as wide as it is uncertain.
 std::vector<double> direction_density(const std::vector<StraightPiece>& pieces,
                                       const SquareDirectionParams& params) {

@@ -76,8 +76,7 @@ std::vector<TurnedPiece> turn_pieces(const std::vector<StraightPiece>& pieces,
   return turned;
 }
 
-/// Pieces of one family whose centres lie across from each other by next to nothing belong to one
-/// wall, whose direction is that from centre to centre.
+/// Collinear pieces belong to one wall; its direction is that between their centres.
 void add_pairs(const std::vector<TurnedPiece>& turned,
                const SquareDirectionParams& params,
                Step& step) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from square_direction, its only caller: the robust mean of the pieces, an idea of its own.
+// Apart from square_direction, its only caller: the robust mean of the pieces is a separate idea.
 #pragma once
 
 #include <vector>

@@ -40,7 +40,7 @@ double bin_cost(const HeadingEvidence& keyframe,
 }
 
 /// Cheapest costs after a step, and the bins they came from: drift, the lower envelope of one cone
-/// a bin (two rounds forward, two back), or a change from the cheapest bin of all.
+/// per bin (two rounds forward, two back), or a change from the cheapest bin of all.
 void advance(double cost_per_bin,
              double change_cost,
              std::vector<double>& costs,

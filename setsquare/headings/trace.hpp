@@ -10,7 +10,7 @@
 
 namespace setsquare {
 
-/// What trace_headings found, one value a keyframe.
+/// What trace_headings found, one value per keyframe.
 struct HeadingTrace {
   /// Direction of the walls that are followed less tracked heading: the drift, and the offset of
   /// the frame that the walls belong to. Unwrapped along the keyframes but for changes of frame,

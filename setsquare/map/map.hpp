@@ -70,10 +70,10 @@ struct OpenStretch {
 /// The heading of one keyframe's sensor, in rad in the map frame.
 struct MappedHeading {
   double tracked_rad = 0.0;  ///< By tracking alone, drift included.
-  /// Against the building's walls, near the heading in the map; nothing where no wall is believed.
+  /// Against the building's walls, near the heading in the map; nothing where no wall has weight.
   std::optional<double> measured_rad;
   double information_per_rad2 = 0.0;  ///< Of the measurement, robust weight included.
-  double weight = 0.0;                ///< How far the measurement is believed, 0 to 1.
+  double weight = 0.0;                ///< Weight of the measurement, 0 to 1.
   std::size_t frame = 0;              ///< Whose walls were measured: index of Map::frames.
 };
 
@@ -111,7 +111,7 @@ enum class PoseOf { kBase, kSensor };
 [[nodiscard]] std::vector<LoopClosure> closures_of(const Map& map);
 
 /// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
-/// are left out, for they would smear the walls. The map must outlive them.
+/// are left out: they would smear the walls. The map must outlive them.
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
 std::vector<PlacedScan> placed_scans(Map&&) = delete;
 

@@ -7,7 +7,7 @@
 namespace setsquare {
 namespace {
 
-/// A closure of less weight is at odds with all the others.
+/// A closure of less weight contradicts all the others.
 constexpr double kOutvotedBelow = 0.5;
 
 double step_m(const Map& map, std::size_t i) {

@@ -12,15 +12,15 @@
 #include "setsquare/tracking/motion_uncertainty.hpp"
 
 namespace setsquare {
-/// The keyframes of a log in their order, and what tracking says of the motion between them.
+/// The keyframes of a log in their order, and the tracked motion between them.
 struct KeyframeTrack {
   std::vector<KeyframePtr> keyframes;
   std::vector<MotionCovariance> motions;  ///< From the keyframe before; the first's is unused.
   /// Stretch of track, from 0: a new one begins where tracking was lost for so long that the submap
-  /// began anew.
+  /// restarted.
   std::vector<std::size_t> stretches;
-  /// Piece of track, from 0: stretches that odometry ties to each other. Between pieces nobody
-  /// knows how the robot moved.
+  /// Piece of track, from 0: stretches that odometry ties to each other. Motion between pieces is
+  /// unknown.
   std::vector<std::size_t> pieces;
 
   [[nodiscard]] std::size_t size() const { return keyframes.size(); }
@@ -29,7 +29,7 @@ struct KeyframeTrack {
 /// The track as a pose graph with odometry constraints only. The tracked motion is laid out along
 /// the headings: each displacement is turned by the drift half-way (heading less tracked heading).
 /// Poses are those of the sensors; the first stands at the origin.
-/// `headings_rad`: one a keyframe, in the map frame.
+/// `headings_rad`: one per keyframe, in the map frame.
 [[nodiscard]] PoseGraph pose_graph_of(const KeyframeTrack& track,
                                       std::span<const double> headings_rad);
 
@@ -37,14 +37,14 @@ struct KeyframeTrack {
 struct MappedKeyframe {
   std::size_t scan_index = 0;
   Pose2 T_map_sensor;
-  bool begins_piece = false;  ///< Of track: how the robot came there is not known.
+  bool begins_piece = false;  ///< Of track: the motion to it is unknown.
 };
 
 /// Poses of all scans from those of the keyframes: between two keyframes the tracked motion is laid
 /// out from both, and the pose slides from the one to the other with the scans; before the first,
-/// after the last and before one that begins a piece of track it hangs on the nearest one that is
-/// known. `keyframes` are in the order of the scans; where there
-/// are none the tracked poses stay.
+/// after the last and before one that begins a piece of track, the nearest known keyframe alone
+/// gives the pose. `keyframes` are in the order of the scans; without keyframes the tracked poses
+/// stay.
 [[nodiscard]] std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
                                                 std::span<const MappedKeyframe> keyframes);
 

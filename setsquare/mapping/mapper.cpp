@@ -24,7 +24,7 @@
 namespace setsquare {
 namespace {
 
-/// A closure of less weight does not tell which scans see the same place.
+/// A closure of less weight does not establish that two scans see the same place.
 constexpr double kMinRevisitWeight = 0.5;
 /// Tracked motion is made of the scans that registration compares again.
 constexpr double kTrackedMotionWeight = 0.05;
@@ -90,7 +90,7 @@ class Mapper::Parts {
   void add_keyframe(const Scan& scan);
   /// Tracks of one piece: the loops that are left to close.
   [[nodiscard]] Closed close_one_piece() const;
-  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops anew.
+  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops again.
   [[nodiscard]] Closed close_across_pieces() const;
   /// Compares the places of the first `num_keyframes` that the closer has not seen.
   void close_loops(std::span<const double> headings_rad,
@@ -229,8 +229,9 @@ Map Mapper::Parts::finish() const {
     solve_robustly(graph, {}, params_.robust);
     graph.T_map_node = registered_poses(closed.closer, graph);
   }
-  // Neighbours err alike: so many measurements say no more than one. Registration takes each for
-  // its own, which serves the poses; what is certain is taken from this graph.
+  // Errors of neighbours are correlated: num_alike measurements have the information of one.
+  // Registration takes each as independent, which serves the poses; covariances come from this
+  // graph.
   for (HeadingMeasurement& heading : graph.headings) {
     heading.information_per_rad2 /= params_.heading.num_alike;
   }
@@ -248,8 +249,8 @@ Map Mapper::Parts::finish() const {
 
 std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,
                                                    const PoseGraph& graph) const {
-  // Registration compares the places that closures name again. Beside its own comparisons it
-  // relies for little on the tracked motion, which is made of the same scans, and on the other
+  // Registration compares the places that closures name again. Apart from its own comparisons
+  // it gives little weight to the tracked motion, which is made of the same scans, and to the other
   // closures.
   PoseGraph to_register{
       .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};

@@ -16,13 +16,13 @@ namespace setsquare {
 struct ClosureCandidateParams {
   double radius_m = 4.0;           ///< Views farther apart hardly overlap.
   double min_way_m = 5.0;          ///< Tracking has compared what is nearer along the track.
-  std::size_t max_num = 4;         ///< A station.
+  std::size_t max_num = 4;         ///< Per station.
   std::size_t min_separation = 4;  ///< Stations between two candidates of one station.
-  /// The window is so much ...
+  /// The window is this wide ...
   double window_m = 0.3;
   double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
-  double max_window_m = 6.0;       ///< At most: of which correlation grids are capable.
-  double slip_way = 50.0;          ///< What a motion may have slipped counts as so many times way.
+  double max_window_m = 6.0;       ///< At most; correlation grids can hold no more.
+  double slip_way = 50.0;          ///< Metres of way that one metre of possible slip counts for.
   double closure_way_m = 1.0;      ///< Length of a closure in the graph.
 
   /// Throws ParameterError that names the field.
@@ -34,7 +34,8 @@ struct SubmapMatchParams {
   int min_correlation = 15;           ///< Of a proposal's coarse samples with the grid.
   std::size_t max_num_proposals = 8;  ///< Refined, the best by correlation ...
   double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
-  double max_lag = 0.4;  ///< After one step, in score and in agreement: who lags more is dropped.
+  /// After one step, in score and in agreement: candidates that lag more are dropped.
+  double max_lag = 0.4;
   AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
   AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
   int num_catching_steps = 4;
@@ -43,7 +44,7 @@ struct SubmapMatchParams {
   /// far points.
   double heading_weight = 2000.0;
   double contradiction_weight = 2.0;  ///< In the score.
-  double min_compared = 0.3;          ///< The score is a share of at least so much of the points.
+  double min_compared = 0.3;          ///< The score refers to at least this share of the points.
   double distinct_m = 0.4;            ///< Poses nearer than this to each other are the same.
 
   /// Throws ParameterError that names the field.
@@ -57,7 +58,7 @@ struct ClosureVerdictParams {
   double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
   double min_effective_points = 10.0;  ///< Along the open direction; below, it is left open.
   double max_open_share = 0.2;         ///< Of a direction that is left open, in all points.
-  double max_rival_rad = 0.3;          ///< A rival so nearly along the open direction is none.
+  double max_rival_rad = 0.3;  ///< A rival nearer than this to the open direction is ignored.
   double max_askew_rad = rad_from_deg(10.0);  ///< Between the open direction and the map's axis.
 
   /// Throws ParameterError that names the field.
@@ -71,7 +72,7 @@ struct LoopCloserParams {
   ClosureCandidateParams candidates;
   SubmapMatchParams match;
   ClosureVerdictParams verdict;
-  /// How much a point tells: its own noise, and that of its neighbours, which is much the same.
+  /// Noise of one point, correlated with its neighbours' noise.
   double point_sigma_m = 0.10;
 
   /// Throws ParameterError that names the field.
@@ -83,8 +84,8 @@ struct PieceJoiningParams {
   std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
   std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
   double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
-  std::size_t min_agreeing = 3;             ///< Places that must tell the same ...
-  double agreeing_m = 0.5;                  ///< ... as to where the piece lies ...
+  std::size_t min_agreeing = 3;             ///< Places that must agree ...
+  double agreeing_m = 0.5;                  ///< ... on where the piece lies ...
   double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
 
   /// Throws ParameterError that names the field.
@@ -95,7 +96,7 @@ struct PieceJoiningParams {
 struct RegistrationParams {
   int num_rounds = 2;
   std::size_t num_before = 4;    ///< Keyframes just before it that each is compared with.
-  std::size_t max_revisits = 6;  ///< And so many of earlier visits, by accepted closures.
+  std::size_t max_revisits = 6;  ///< Keyframes of earlier visits, by accepted closures.
   AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
   double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
   double max_contradicted = 0.15;  ///< Of the points compared.
@@ -117,7 +118,7 @@ struct MapperParams {
   RegistrationParams registration;
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;
-  /// Loops are looked for each time the track has grown by this share, and by so many keyframes.
+  /// Loops are looked for each time the track has grown by this share, and by this many keyframes.
   double closing_growth = 0.1;
   std::size_t min_closing_growth = 64;
   std::size_t num_threads = 1;  ///< Any number gives the same map.

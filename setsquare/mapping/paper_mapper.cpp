@@ -77,7 +77,8 @@ void PaperMapper::follow(const MatchResult& match,
   if (tracked.is_keyframe) T_map_sensor_.theta_rad = measured_heading_rad(current);
 }
 
-/// Eq. (8) without a match: theta_D tells the heading modulo a quarter turn, the last one the rest.
+/// Eq. (8) without a match: theta_D gives the heading modulo a quarter turn, the last heading the
+/// rest.
 double PaperMapper::measured_heading_rad(const PreparedPaperScan& current) const {
   const double turn_rad = current.direction.theta_rad - keyframe_->direction.theta_rad;
   const double change_rad = T_map_keyframe_.theta_rad + turn_rad - T_map_sensor_.theta_rad;

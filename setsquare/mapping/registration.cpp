@@ -20,7 +20,7 @@ constexpr double kPairDamping = 1e-2;
 constexpr double kMinCompared = 20.0;
 /// Keyframes to either side of a revisited place that are compared, too.
 constexpr std::ptrdiff_t kReach = 2;
-/// A turn counts as so much distance: who looks the same way sees the same walls.
+/// One radian counts as this many metres.
 constexpr double kMetresPerRadian = 1.0;
 
 /// Calls visit(from, to) for the keyframes about those of a closure, each in its own stretch.

@@ -18,11 +18,11 @@ namespace setsquare {
 /// become a constraint, and the graph of all of them is polished together with the headings
 /// measured against the building. The surfaces themselves decide, not the poses found earlier.
 ///
-/// `closures` tell which keyframes see a place again, `from` before `to`: those about them are
-/// compared in their stead. One where no comparison comes about stands for itself.
+/// `closures` name the keyframes that see a place again, `from` before `to`: the keyframes around
+/// them are compared instead; a closure without a usable comparison stays as it is.
 /// `graph`: poses of the sensors near their places, which are moved; heading measurements; and the
-/// constraints that hold beside the comparisons, by their weights. Any number of threads gives the
-/// same poses.
+/// constraints that hold in addition to the comparisons, by their weights. Any number of threads
+/// gives the same poses.
 void register_keyframes(const KeyframeTrack& track,
                         std::span<const Constraint> closures,
                         PoseGraph& graph,

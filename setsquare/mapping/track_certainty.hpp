@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-/// How certain each scan's position is against that of the first keyframe that hangs together with
+/// How certain each scan's position is against that of the first keyframe that is connected with
 /// the largest piece: the standard deviation in m along its least certain direction, by the
 /// marginal covariances of the graph at up to `max_num_nodes` keyframes - the first and the last of
 /// each piece at least -, interpolated over the scans of a piece. Infinite for scans of pieces that

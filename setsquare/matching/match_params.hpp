@@ -48,11 +48,12 @@ struct SweepParams {
 
 /// What counts as wall that agrees at a place and hardly elsewhere (distinct_wall_m).
 struct DistinctWallParams {
-  double max_distance_m = 0.15;    ///< Of a sample from the surface that it agrees with.
-  double same_line_cosine = 0.97;  ///< Samples lie on one line whose normals are so alike ...
-  double same_line_m = 0.25;       ///< ... and that are so near to it.
-  double same_clutter_m = 0.4;     ///< Samples without a line, so near together, are one thing.
-  double max_line_m = 0.5;         ///< No line or thing counts for more.
+  double max_distance_m = 0.15;  ///< Of a sample from the surface that it agrees with.
+  /// Samples lie on one line if the cosine between their normals is above this ...
+  double same_line_cosine = 0.97;
+  double same_line_m = 0.25;    ///< ... and they are this near to it.
+  double same_clutter_m = 0.4;  ///< Samples without a line this near together are one thing.
+  double max_line_m = 0.5;      ///< No line or thing counts for more.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -68,18 +69,18 @@ struct AnswerParams {
   double min_margin = 0.08;        ///< ... and a margin above the best different pose,
   double min_score_alone = 0.05;   ///< or, where much is hidden or has moved, by a lower score ...
   double min_margin_alone = 0.15;  ///< ... and a wide margin: nothing else comes near.
-  double floor_score = -0.10;      ///< Runners-up below it are all alike: no match at all.
+  double floor_score = -0.10;      ///< Lower runners-up count as this: no match at all.
   double low_score = 0.30;         ///< Below it ...
-  double min_wall_m = 3.0;         ///< ... so much wall must hold the pose, both directions summed.
-  /// The margin must reach so many times the share of one scan's wall, agreeing or contradicted,
+  double min_wall_m = 3.0;  ///< ... this much wall must hold the pose, both directions summed.
+  /// The margin must reach this many times the share of one scan's wall, agreeing or contradicted,
   /// that the other contradicts.
   double margin_per_contradiction = 1.15;
   double min_distinct_m = 1.8;    ///< Agreeing wall, no line for more than half a metre.
-  double clear_distinct_m = 2.5;  ///< With less the quick search is not believed: all rotations.
+  double clear_distinct_m = 2.5;  ///< With less the quick search is not trusted: all rotations.
   /// A different pose of this share of the agreement, contradicted as little, makes the answer
   /// ambiguous: a row of doors.
   double rival_agreement = 0.68;
-  double rival_contradiction = 0.05;   ///< By so much more at most: share of what can be judged,
+  double rival_contradiction = 0.05;   ///< By this much more at most: share of what can be judged,
   double rival_contradiction_m = 2.0;  ///< and length.
   double same_translation_m = 0.30;    ///< Poses nearer than both of these are one answer.
   double same_rotation_rad = 0.10;

@@ -11,8 +11,8 @@
 
 namespace setsquare {
 /// How the robot turned while the sensor swept, in rad of heading per rad of bearing: unknown, and
-/// seen only where two scans are laid on each other. Half a radian a second under a sensor that
-/// sweeps 270 deg in 19 ms makes 0.002, under one that takes 0.1 s a turn 0.008.
+/// seen only where two scans are laid on each other. Half a radian per second under a sensor
+/// that sweeps 270 deg in 19 ms makes 0.002, under one that takes 0.1 s per turn 0.008.
 struct SweepTurns {
   double reference = 0.0;
   double current = 0.0;
@@ -26,8 +26,8 @@ using Matrix5 = Eigen::Matrix<double, 5, 5>;
 struct SweepNormal {
   Matrix5 hessian = Matrix5::Zero();
   Vector5 gradient = Vector5::Zero();
-  /// Scatter of the gradient, summed over pieces of wall: within a piece distances are alike
-  /// (bumps, bias of a material), between pieces they are not.
+  /// Scatter of the gradient, summed over pieces of wall: within a piece distances are
+  /// correlated (bumps, bias of a material), between pieces they are not.
   Matrix5 scatter = Matrix5::Zero();
 };
 

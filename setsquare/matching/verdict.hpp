@@ -42,7 +42,7 @@ struct VerdictEvidence {
 };
 
 /// Whether the best candidate stands, and if not, why. An accepted wrong match is the worst
-/// outcome: each rule here stands for a kind of place that was met (docs/method.md).
+/// outcome: each rule here answers to a kind of place seen in logs (docs/method.md).
 [[nodiscard]] MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params);
 
 }  // namespace setsquare

@@ -28,7 +28,7 @@ struct DirectionGrid {
                                                   const DirectionGrid& grid,
                                                   const ProfileBins& bins = {});
 
-/// As direction_curve, and beside it an upper bound of the moment with omega^2 itself, from the
+/// As direction_curve, with an upper bound of the moment with omega^2 itself, from the
 /// sums of squared first and second differences of neighbouring bins.
 struct DirectionCurves {
   std::vector<double> neighbour_differences;    ///< A lower bound of the moment with omega^2.

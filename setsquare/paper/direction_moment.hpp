@@ -9,7 +9,7 @@
 namespace setsquare {
 
 /// The two readings of eq. (7). H is the Fourier transform of the profile, which is zero outside
-/// its bins; omega is in rad a bin, so the integral ends at pi. Both are divided by pi.
+/// its bins; omega is in rad per bin, so the integral ends at pi. Both are divided by pi.
 enum class DirectionMoment {
   /// 4 sin^2(omega / 2) in place of omega^2: by Parseval the sum of the squared differences of
   /// neighbouring bins. The two agree at low frequencies.

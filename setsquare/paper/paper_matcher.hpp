@@ -17,7 +17,7 @@ struct PaperParams {
   double bin_width_m = 0.04;                      ///< Delta rho, section 4.3.2.
   double max_distance_m = 10.0;                   ///< d_max, section 4.3.2.
   double direction_step_rad = rad_from_deg(0.1);  ///< Of theta in Algorithm 2.
-  /// Reading of eq. (7); docs/method.md tells why this one.
+  /// Reading of eq. (7); docs/method.md gives the reasons.
   DirectionMoment moment = DirectionMoment::kNeighbourDifferences;
   double max_shift_m = 2.5;     ///< lambda_max, section 5.1.
   double shift_step_m = 0.005;  ///< Delta lambda, section 5.1.
@@ -50,7 +50,7 @@ struct PreparedPaperScan {
 /// The paper's method as printed (bando2014), Algorithm 1 with both scans prepared by the same
 /// parameters. Status kMatched where the product of the axes' ZNCCs exceeds the threshold,
 /// kRejected where not, kTooFewPoints where a scan has next to none. `score` is the product; the
-/// information stays zero, for the paper gives none. `trace`, if any, receives what Algorithm 3
+/// information stays zero: the paper gives none. `trace`, if any, receives what Algorithm 3
 /// saw (left as it was where it did not run).
 [[nodiscard]] MatchResult match_paper(const PreparedPaperScan& reference,
                                       const PreparedPaperScan& current,

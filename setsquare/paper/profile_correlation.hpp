@@ -25,7 +25,7 @@ struct ShiftSearch {
   void validate(const ProfileBins& bins) const;
 };
 
-/// Cross-correlation of eq. (10) against lambda, one value a lag from -max_lag() to max_lag():
+/// Cross-correlation of eq. (10) against lambda, one value per lag from -max_lag() to max_lag():
 /// Corr(lambda) = sum over the bins of P_reference(kappa) P_current(lambda, kappa), where the
 /// current profile of eq. (9) counts the current coordinates moved by lambda. Exact integers.
 [[nodiscard]] std::vector<std::int32_t> correlate(const ProjectedProfile& reference,

@@ -30,7 +30,7 @@ struct ProfileBins {
 /// (kappa * width - max_distance, (kappa + 1) * width - max_distance]: eq. (6).
 struct ProjectedProfile {
   ProfileBins bins;
-  std::vector<std::int32_t> counts;  ///< One a bin.
+  std::vector<std::int32_t> counts;  ///< One per bin.
 
   [[nodiscard]] std::int64_t mass() const {
     return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});

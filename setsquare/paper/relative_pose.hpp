@@ -32,7 +32,7 @@ struct ProjectedScan {
 
 /// One axis' search at one offset.
 struct AxisSearch {
-  /// Eq. (10), one a lag from -max_lag() to max_lag(); empty where the offset was not tried.
+  /// Eq. (10), one per lag from -max_lag() to max_lag(); empty where the offset was not tried.
   std::vector<std::int32_t> correlation;
   std::size_t peak = 0;  ///< Index of the chosen lag.
 

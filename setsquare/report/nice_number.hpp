@@ -13,7 +13,7 @@ namespace setsquare {
 /// high.
 [[nodiscard]] std::vector<double> nice_ticks(double low, double high, int max_count);
 
-/// Decimals that tell apart numbers that are this far from each other.
+/// Decimals needed to distinguish numbers that differ by this much.
 [[nodiscard]] int decimals_for_step(double step);
 
 }  // namespace setsquare

@@ -9,7 +9,7 @@
 namespace setsquare {
 
 /// Returns of a scan as Cartesian points in the sensor frame, in the order of the beams. Plain
-/// arrays, one a coordinate: the kernels run over them.
+/// arrays, one per coordinate: the kernels run over them.
 struct PointSet {
   std::vector<double> x_m;
   std::vector<double> y_m;

@@ -11,11 +11,11 @@
 
 namespace setsquare {
 
-/// What one beam tells.
+/// What one beam measured.
 enum class BeamOutcome {
   kReturn,    ///< The beam hit something at its range.
   kNoReturn,  ///< The beam met nothing within reach: free space, as far as the sensor sees.
-  kInvalid,   ///< NaN, zero, negative or too near: the beam tells nothing.
+  kInvalid,   ///< NaN, zero, negative or too near: the beam has no information.
 };
 
 /// One sweep of the sensor, polar, in the sensor frame (x forward, y left).
@@ -27,7 +27,7 @@ struct Scan {
   double min_range_m = 0.0;  ///< Ranges below it are no measurements.
   double max_range_m =
       std::numeric_limits<double>::infinity();  ///< Ranges at or above it are no-returns.
-  std::vector<double> ranges_m;  ///< One a beam, as the sensor gave them, codes and NaN included.
+  std::vector<double> ranges_m;  ///< One per beam, as the sensor gave them, codes and NaN included.
   Pose2 T_base_sensor;           ///< The sensor's mounting on the robot.
 
   [[nodiscard]] std::size_t num_beams() const { return ranges_m.size(); }
@@ -38,8 +38,8 @@ struct Scan {
   [[nodiscard]] double field_of_view_rad() const;
   /// The one place that judges a range: NaN, infinities, zero, codes above the sensor's reach.
   [[nodiscard]] BeamOutcome outcome(std::size_t beam) const;
-  /// Throws ParameterError where the geometry is no scan's (a bearing that is not finite, a zero
-  /// step between several beams, a sweep of more than one turn, an empty interval of ranges).
+  /// Throws ParameterError where the scan's geometry is invalid (a bearing that is not finite, a
+  /// zero step between several beams, a sweep of more than one turn, an empty interval of ranges).
   void validate() const;
 };
 

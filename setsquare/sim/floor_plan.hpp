@@ -21,7 +21,7 @@ enum class Material : std::uint8_t {
   kPillar,
   kFurniture,  ///< Tables, cabinets, shelves: mostly along the walls.
   kClutter,    ///< Chairs, boxes, bags, plants at odd angles.
-  kPerson,     ///< A leg of somebody who stands or walks.
+  kPerson,     ///< A leg of a person who stands or walks.
 };
 
 /// Furniture, clutter and people: what is not the building.

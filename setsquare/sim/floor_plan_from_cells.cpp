@@ -13,7 +13,7 @@ bool is_filled(const PlanCells& cells, std::size_t column, std::size_t row) {
   return cells.is_filled[row * cells.num_columns + column] != 0;
 }
 
-/// Joins the edges along one line between cells: `is_edge(i)` tells of the i-th piece of it,
+/// Joins the edges along one line between cells: `is_edge(i)` states whether its i-th piece is one,
 /// `add(begin, end)` takes each run.
 template <typename IsEdge, typename Add>
 void join_runs(std::size_t num_pieces, const IsEdge& is_edge, const Add& add) {

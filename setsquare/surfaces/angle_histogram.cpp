@@ -39,7 +39,7 @@ float dot(const float* a, const float* b) {
   return sum_of(sum);
 }
 
-/// Walls run the same way within so many bins.
+/// Walls within this many bins have the same direction.
 constexpr int kReachBins = 2;
 /// A direction is no rarer than this: a single post is no wall.
 constexpr float kMinShare = 0.03F;

@@ -49,9 +49,9 @@ struct SweptScan {
 /// What the default matcher needs of a scan: made once, matched any number of times, never changed.
 struct PreparedScan {
   ScanSurfacesPtr surfaces;
-  SurfaceSamples coarse;  ///< A few dozen samples: proposals live or die on them.
+  SurfaceSamples coarse;  ///< A few dozen samples: they decide on proposals.
   SurfaceSamples fine;    ///< A few hundred, by weights that favour rare directions: the verdict.
-  SurfaceSamples dense;   ///< As many as pay, by length of wall: the pose's last digits.
+  SurfaceSamples dense;   ///< As many as help, by length of wall: the pose's last digits.
   std::vector<float> dense_from_middle_rad;  ///< Bearings of `dense` from the sweep's middle.
   AngleHistogram histogram;
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The one kernel that compares a scan's samples with another scan's polar image. It moves a sample
 // into the image's frame, looks up the sector in its direction and measures the distance from the
-// line there. What is summed from that is the caller's: `alignment` and the tracker's submap sum
+// line there. The caller decides what to sum: `alignment` and the tracker's submap sum
 // four samples at a time, `distinct_wall` sorts them into lines, the sweep refinement straightens
 // each sample by how the robot turned. Number is Floats for four samples side by side, or float.
 #pragma once

@@ -29,8 +29,7 @@ float free_square(double range_m, const SurfaceImage::Params& params) {
   return static_cast<float>(free_m * free_m);
 }
 
-/// How far a beam whose return, if any, is of no use saw nothing: no farther than the sensor
-/// reaches.
+/// Free range of a beam without a usable return, at most the sensor's reach.
 double seen_free_m(const Scan& scan, std::size_t beam, const SurfaceImage::Params& params) {
   const BeamOutcome outcome = scan.outcome(beam);
   if (outcome == BeamOutcome::kInvalid) return 0.0;
@@ -76,7 +75,7 @@ SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const 
     SurfaceSector sector = unknown_sector();
     if (point < points.size() && points.beam[point] == static_cast<std::int32_t>(beam)) {
       sector = sector_of_return(points, point, params);
-      // An edge: the gap beside it may be covered, so the nearer return bounds the free space.
+      // An edge: the gap next to it may be covered, so the nearer return bounds the free space.
       if (point + 1 < points.size() && points.beam[point + 1] == points.beam[point] + 1) {
         sector.free_square_m2 =
             std::min(sector.free_square_m2, free_square(points.range_m[point + 1], params));

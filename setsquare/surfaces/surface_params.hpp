@@ -11,10 +11,10 @@ namespace setsquare {
 struct SurfaceParams {
   double max_range_m = 30.0;        ///< Returns beyond it are not used.
   double join_distance_m = 0.15;    ///< Neighbours nearer than this belong to one surface ...
-  double join_beam_spacings = 3.0;  ///< ... or nearer than so many beam spacings at their range.
+  double join_beam_spacings = 3.0;  ///< ... or nearer than this many beam spacings at their range.
   double collinear_tolerance_m = 0.04;  ///< Farther neighbours join where four in a row fit a line.
   double max_join_m = 4.0;              ///< No surface spans a wider gap.
-  double fit_radius_m = 0.30;  ///< The line at a return is fitted to its joined neighbours so near.
+  double fit_radius_m = 0.30;  ///< The line at a return is fitted to its joined neighbours within.
   double max_fit_rms_m = 0.025;  ///< A fit that is worse than this is a corner or clutter.
   double max_weight_m = 0.20;    ///< A return stands for at most this length of wall.
 

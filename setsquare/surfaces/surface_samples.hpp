@@ -28,7 +28,7 @@ struct SurfaceSamples {
 };
 
 /// At most `max_samples` points, evenly spaced along the seen wall (systematic sampling by weight);
-/// all of them where they are no more.
+/// all points where there are no more than that.
 [[nodiscard]] SurfaceSamples sample_surface(const SurfacePoints& points, std::size_t max_samples);
 
 /// The same by other weights than the points' own, one per point, in m.

@@ -25,8 +25,8 @@ struct Keyframe {
 
 using KeyframePtr = std::shared_ptr<const Keyframe>;
 
-/// What one scan of a submap saw, and where it stands in the submap's frame. The image is somebody
-/// else's and must outlive this.
+/// What one scan of a submap saw, and where it stands in the submap's frame. The image is not
+/// owned and must outlive this.
 struct PlacedImage {
   const SurfaceImage* image = nullptr;
   Pose2 T_submap_sensor;

@@ -43,7 +43,7 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
       const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
                                                           : params_.open_sigma_per_metre;
       const Eigen::Vector2d& u = tracked.open.direction;
-      // One scan's error is much like the next one's: sigmas add up, not variances.
+      // Errors of successive scans are correlated: sigmas add up, not variances.
       open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();
       break;
     }

@@ -28,7 +28,7 @@ class MotionUncertainty {
   /// The next scan.
   void add(const TrackedPose& tracked);
 
-  /// The covariance of the motion up to the last scan added, which is a keyframe; starts anew.
+  /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
   [[nodiscard]] MotionCovariance take();
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from scan_tracker, its only caller: matching without a guess, a step of its own.
+// Apart from scan_tracker, its only caller: matching without a guess is a separate step.
 #pragma once
 
 #include <optional>

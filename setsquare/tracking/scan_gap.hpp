@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-/// Tells where a log has a gap: the robot may be anywhere after it, unless it sees what it saw
+/// Finds the gaps of a log: the robot may be anywhere after one, unless it sees what it saw
 /// before. Stamps that run backwards, as those of real logs do, make no gap: a pause counts from
 /// the later one of the two stamps before. So a single stamp that jumps back does no harm when time
 /// goes on, and a clock that was set back for good is followed from its second stamp on.

@@ -53,10 +53,10 @@ class ScanTracker {
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
   /// Whether a direction is open.
   [[nodiscard]] bool is_open(const SubmapFit& fit) const;
-  /// Counts scans that are lost in a row. A scan that sees next to nothing says nothing against the
-  /// submap.
+  /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
+  /// the submap.
   void count_lost(TrackStatus status, Situation situation);
-  /// Whether the submap begins anew with the scan that was counted last.
+  /// Whether the submap restarts with the scan that was counted last.
   [[nodiscard]] bool is_restart(Situation situation) const;
   void start_anew();
   [[nodiscard]] bool is_to_be_kept(const TrackedPose& tracked) const;

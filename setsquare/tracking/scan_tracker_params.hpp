@@ -21,15 +21,15 @@ struct AlignmentScale {
 
 struct ScanGapParams {
   double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
-  double min_num_periods = 5.0;  ///< ... as so many usual ones, is a gap in the log ...
+  double min_num_periods = 5.0;  ///< ... as this many usual ones, is a gap in the log ...
   double same_range_m = 0.1;     ///< ... unless ranges that differ by less than this, ...
-  double min_same = 0.8;         ///< ... in this share of the beams, tell that the robot stood.
+  double min_same = 0.8;  ///< ... in this share of the beams, show that the robot stood still.
 
   /// Throws ParameterError that names the field.
   void validate() const;
 };
 
-/// How far a prediction is believed along a direction that the walls leave free.
+/// How far a prediction is trusted along a direction that the walls leave free.
 struct PredictionTrust {
   double weight = 2.0;    ///< Of each effective point that is missing.
   double sigma_m = 0.15;  ///< How far off it is taken to be.
@@ -49,7 +49,7 @@ struct SubmapRefinementParams {
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
-  double chance_points = 1.0;  ///< So many, or fewer, are chance: a bare corridor's.
+  double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -97,7 +97,7 @@ struct ScanTrackerParams {
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
-  /// After so many lost scans in a row the submap starts anew at the predicted pose.
+  /// After this many lost scans in a row the submap restarts at the predicted pose.
   std::size_t max_lost_scans = 5;
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
@@ -123,7 +123,7 @@ struct MotionUncertaintyParams {
   double recovered_sigma_rad = rad_from_deg(1.5);
   double restart_sigma_rad = 0.5;
 
-  // The same where odometry bridges the gap: a witness.
+  // The same where odometry bridges the gap.
   double lost_sigma_m_by_odometry = 0.03;
   double restart_sigma_m_by_odometry = 0.3;
   double lost_sigma_rad_by_odometry = rad_from_deg(0.5);

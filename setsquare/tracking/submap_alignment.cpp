@@ -45,7 +45,7 @@ struct ComparedPoints {
   Floats distance_m;
 };
 
-/// What the image says of the points.
+/// The image's values at the points.
 Ints bits_of(const ComparedPoints& p, Ints may_be_same) {
   const Ints is_explained =
       p.is_compared & may_be_same & (absolute(p.distance_m) < spread(kExplainedDistance_m));
@@ -71,7 +71,7 @@ PointSums sum_lines(const SurfaceImage& image,
   compare_by_fours(image, points, T_image_sensor, [&](std::size_t first, const auto& compared) {
     const ComparedPoints p(compared, points.size() - first);
     const Ints faces_alike = compared.faces_alike();
-    // Where no line fits (a post, clutter) nearness is all that can be asked.
+    // Where no line fits (a post, clutter) only nearness can be tested.
     const Ints bits = load_bits(&marks[first]) | bits_of(p, faces_alike | ~compared.has_normal());
     std::memcpy(&marks[first], &bits, sizeof bits);
     const Ints is_pair = p.is_compared & faces_alike;

@@ -36,7 +36,7 @@ struct SubmapAlignment {
 using PointMarks = std::vector<std::int32_t>;
 
 /// Compares the points, each with the line that each image shows in its direction. Weights of the
-/// samples have no part: every point counts alike.
+/// samples have no part: every point counts the same.
 [[nodiscard]] SubmapAlignment align_with_submap(std::span<const PlacedImage> submap,
                                                 const SurfaceSamples& points,
                                                 const Pose2& T_submap_sensor,

@@ -14,7 +14,7 @@ namespace {
 constexpr double kStepDamping = 1e-3;
 
 /// Takes out what binds the open direction by chance. Walls that run along it bind it all the same,
-/// by the noise of their normals, and what they say is "stay": a robot in a bare corridor would
+/// by the noise of their normals, and they hold it in place: a robot in a bare corridor would
 /// come to rest.
 Eigen::Matrix3d without_chance(const OpenDirection& open, const SubmapRefinementParams& params) {
   const double share = std::clamp((open.effective_points - params.chance_points) /

@@ -14,7 +14,7 @@ struct TrackingProblem {
   std::span<const PlacedImage> submap;  ///< In the odom frame.
   const SurfaceSamples& points;
   Pose2 T_odom_predicted;  ///< Where the scan is expected ...
-  PredictionTrust trust;   ///< ... and how far that is believed.
+  PredictionTrust trust;   ///< ... and how far that is trusted.
   PointMarks& marks;
 };
 
@@ -33,7 +33,7 @@ struct SubmapFit {
                                          const SubmapRefinementParams& params);
 
 /// Looks along the open direction of `fit` for a better place. In a corridor the distances to the
-/// two walls have no gradient along it; what tells is how many points fit at all (door frames,
+/// two walls have no gradient along it; the evidence is how many points fit at all (door frames,
 /// recesses, the far end), and that has many small maxima. So a window about the prediction is
 /// tried step by step, its best place refined, and kept if it is closer than `fit`'s.
 [[nodiscard]] SubmapFit search_along_corridor(const TrackingProblem& problem,

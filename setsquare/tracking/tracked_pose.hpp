@@ -8,13 +8,13 @@
 
 namespace setsquare {
 
-/// A scan placed by tracking, with its evidence. A header of its own: who feeds a Mapper sees this,
-/// and nothing else of the tracker.
+/// A scan placed by tracking, with its evidence. A separate header, so that users of Mapper need
+/// not include the rest of the tracker.
 struct TrackedPose {
   TrackStatus status = TrackStatus::kTracked;
   Pose2 T_odom_sensor;
   bool is_keyframe = false;
-  bool is_restart = false;    ///< Lost for so long that the submap begins anew with this scan.
+  bool is_restart = false;    ///< Lost for so long that the submap restarts with this scan.
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.

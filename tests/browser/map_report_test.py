@@ -134,7 +134,7 @@ class RoomTest(MapReportTest):
         self.assertGreater(share_near(current, reference, 4), 0.85)
         self.assertIn("verified <by> \"hand\" & eye",
                       page.browser.evaluate("document.getElementById('closure-facts').textContent"))
-        # The wrong closure lays the scans askew; where the map has them they agree.
+        # The wrong closure misaligns the scans; where the map has them they agree.
         reference, current = self.overlay_after_click(WRONG)
         self.assertGreater(len(current), 300)
         askew = share_near(current, reference, 4)

@@ -121,7 +121,7 @@ void write_pages(const std::string& folder) {
   };
   save("room.html", {.title = title, .map = map, .grid = &grid, .figures = figures});
 
-  // The same room in a grid whose rows run at 20 degrees in the map: it stands askew.
+  // The same room in a grid whose rows run at 20 degrees in the map: it stands at an angle.
   const OccupancyGrid askew = grid_from_scans(placed, rad_from_deg(20.0));
   save("askew.html", {.title = title, .map = map, .grid = &askew, .figures = figures});
 

@@ -56,7 +56,7 @@ TEST_F(SaveFile, AFullDiskIsAnErrorAndTheOldFileStaysWhole) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
-TEST_F(SaveFile, ADeviceIsWrittenToAndItsErrorsAreTold) {
+TEST_F(SaveFile, ADeviceIsWrittenToAndItsErrorsAreReported) {
   const std::filesystem::path link = folder_ / "device";
   for (const bool is_full : {false, true}) {
     const char* const device = is_full ? "/dev/full" : "/dev/null";

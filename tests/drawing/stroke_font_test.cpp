@@ -22,7 +22,7 @@ std::string described(char character) {
   return text;
 }
 
-TEST(StrokeFont, EveryPrintableCharacterHasAGlyphOfItsOwn) {
+TEST(StrokeFont, EveryPrintableCharacterHasItsOwnGlyph) {
   std::set<std::string> glyphs = {described('\x7f')};  // the box of what has no glyph
   for (char character = '!'; character <= '~'; ++character) {
     EXPECT_TRUE(glyphs.insert(described(character)).second) << character;

@@ -89,7 +89,7 @@ TEST(RigidAlignment, NoOtherMotionHasLessSquaredDistance) {
   EXPECT_LT(least_of_twin_m2, 1.01 * least_m2);
 }
 
-TEST(RigidAlignment, AtAStandstillTheHeadingsTell) {
+TEST(RigidAlignment, AtAStandstillTheHeadingsDetermineTheRotation) {
   const std::vector<PosePair> pairs = {{stamp_at(0.0), {1, 2, 0.1}, {5, 5, 0.4}},
                                        {stamp_at(1.0), {1, 2, 0.2}, {5, 5, 0.5}}};
   const Pose2 T_truth_map = best_rigid_alignment(pairs);

@@ -25,7 +25,7 @@ using testing::stamp_at;
 constexpr int kScansARound = 400;
 constexpr double kSecondsAScan = 0.25;
 
-/// Rounds of a circle of 32 m: 0.08 m a scan.
+/// Rounds of a circle of 32 m: 0.08 m per scan.
 Trajectory rounds(int num_rounds) {
   Trajectory truth;
   const double radius_m = 32.0 / kTwoPi;
@@ -39,7 +39,7 @@ Trajectory rounds(int num_rounds) {
   return truth;
 }
 
-/// The same with a drift of 1 mm a scan: right to a centimetre over a second, wrong over a round.
+/// The same with a drift of 1 mm per scan: right to a centimetre over a second, wrong over a round.
 Trajectory drifting(const Trajectory& truth) {
   Trajectory map = truth;
   Pose2 T_drift;
@@ -156,7 +156,7 @@ TEST(ChainedReference, HopsAreShortInTimeInDistanceAndInRotation) {
   EXPECT_FALSE(is_told(4.9, {1.9, 0.0, 0.6}));
 }
 
-TEST(ChainedReference, AScanThatTheTrajectoryDoesNotHaveIsUntold) {
+TEST(ChainedReference, AScanThatTheTrajectoryDoesNotHaveHasNoPose) {
   auto generator = testing::make_generator();
   const Trajectory truth = rounds(2);
   const ChainedReference reference(relations_of(truth, generator), truth);

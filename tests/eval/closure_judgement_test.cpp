@@ -71,7 +71,7 @@ TEST(ClosureTruth, RightUpToTheLimitsAndWrongBeyond) {
   EXPECT_EQ(verdict_of(closure_of({1.0, 0.0, rad_from_deg(-5.1)}), {truth}), ClosureTruth::kWrong);
 }
 
-TEST(ClosureTruth, WhereTheReferenceIsSilentOrDividedThereIsNone) {
+TEST(ClosureTruth, WhereTheReferenceIsMissingOrDisputedThereIsNone) {
   const LoopClosure closure = closure_of({1.2, 0.0, 0.0});
   EXPECT_EQ(verdict_of(closure, {}), ClosureTruth::kUnjudged);
   EXPECT_EQ(verdict_of(closure, {{1.0, 0.0, 0.0}, {1.1, 0.0, 0.0}}), ClosureTruth::kRight);
@@ -95,7 +95,7 @@ TEST(ClosureTruth, NearTheLimitsTheNoiseOfTheReferenceDecidesNothing) {
   EXPECT_EQ(verdict({0.1, 0, rad_from_deg(6.1)}), ClosureTruth::kWrong);
 }
 
-TEST(ClosureTruth, WhoIsNotSureLeavesItToTheOther) {
+TEST(ClosureTruth, TheMoreCertainReferenceDecides) {
   const LoopClosure closure = closure_of({0.3, 0, 0});
   const ReferencePose unsure = {{}, 0.1, 0.0};
   const ReferencePose surely_right = {{0.2, 0, 0}, 0.05, 0.0};
@@ -109,7 +109,7 @@ TEST(ClosureTruth, WhoIsNotSureLeavesItToTheOther) {
   EXPECT_EQ(verdict({surely_wrong, surely_right}), ClosureTruth::kDisputed);
 }
 
-// Metres off along a corridor that runs along the map's y are no fault of a closure that binds x.
+// Metres off along a corridor that runs along the map's y are no error of a closure that binds x.
 TEST(ClosureTruth, ASingleAxisNeedsTheHeadingInTheMap) {
   const Trajectory map = {{stamp_at(1), {9, 9, kPi / 2}}, {stamp_at(2), {9, 9, 0.3}}};
   const LoopClosure along = closure_of({4.0, 0.1, 0.0}, ClosureAxes::kX);

@@ -29,7 +29,7 @@ inline Pose2 small_motion(std::mt19937_64& generator,
   return {x_m, y_m, rotation_sigma_rad * normal(generator)};
 }
 
-/// One pose a second, anywhere.
+/// One pose per second, anywhere.
 inline Trajectory random_trajectory(std::mt19937_64& generator, int num_poses) {
   Trajectory trajectory;
   for (int i = 0; i < num_poses; ++i) trajectory.push_back({stamp_at(i), random_pose(generator)});

@@ -29,7 +29,7 @@ std::optional<ChainedPose> chain(const RelationGraph& graph,
   return graph.chain({&end_i, 1}, {&end_j, 1}, avoided);
 }
 
-/// 3 m ahead from 1 s to 2 s, then (told backwards) 4 m ahead from 2 s to 3 s, then a half turn.
+/// 3 m ahead from 1 s to 2 s, then (stored backwards) 4 m ahead from 2 s to 3 s, then a half turn.
 const std::vector<Relation> kStraight = {{stamp_at(1), stamp_at(2), {3, 0, 0}},
                                          {stamp_at(3), stamp_at(2), {-4, 0, 0}},
                                          {stamp_at(3), stamp_at(4), {0, 0, kPi / 2}}};

@@ -15,7 +15,7 @@ namespace setsquare::relative_trajectory_error_test {
 using testing::random_pose;
 using testing::stamp_at;
 
-/// A straight way of 0.5 m a second. The judged one stretches it by a tenth.
+/// A straight way of 0.5 m per second. The judged one stretches it by a tenth.
 std::vector<PosePair> stretched_way(int num_poses) {
   std::vector<PosePair> pairs;
   for (int i = 0; i < num_poses; ++i) {

@@ -46,8 +46,8 @@ TEST(GaussNewtonPoseGraph, LowersTheCostAndConverges) {
   EXPECT_LT(summary.num_iterations, 10);
   EXPECT_LT(summary.final_cost, summary.initial_cost);
   EXPECT_NEAR(summary.final_cost, cost(simulated.graph), 1e-9 * summary.final_cost);
-  // Twice the cost is chi-squared: 3 residuals a constraint and one a heading measurement, less the
-  // unknowns, which are 3 a node but for node 0's position.
+  // Twice the cost is chi-squared: 3 residuals per constraint and one per heading measurement, less
+  // the unknowns, which are 3 per node but for node 0's position.
   const std::size_t num_nodes = simulated.truth.size();
   const std::size_t num_residuals = 3 * simulated.graph.constraints.size() + num_nodes;
   const auto num_degrees = static_cast<double>(num_residuals - (3 * num_nodes - 2));

@@ -172,7 +172,7 @@ TEST(LinearPoseGraph, NodesBoundByOneAxisEachOfTwoConstraints) {
   }
 }
 
-TEST(LinearPoseGraph, ANodeThatHangsOnNothingIsAnError) {
+TEST(LinearPoseGraph, ANodeThatIsNotConnectedIsAnError) {
   for (const double heading_rad : {0.0, 0.7}) {
     PoseGraph graph = three_nodes();
     for (Pose2& pose : graph.T_map_node) pose.theta_rad = heading_rad;

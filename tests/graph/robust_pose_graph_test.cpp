@@ -37,7 +37,7 @@ PoseGraph stiff_chain(std::size_t num_nodes) {
   return graph;
 }
 
-/// A closure to node 2 of a straight chain, off by so much along x, with a sigma of 1 m.
+/// A closure to node 2 of a straight chain, off by a distance along x, with a sigma of 1 m.
 Constraint closure_off_by(double off_m) {
   Constraint closure;
   closure.to = 2;
@@ -118,7 +118,7 @@ TEST(RobustPoseGraph, LooseOdometryAndFewClosures) {
   EXPECT_GE(num_same, 7);
 }
 
-TEST(RobustPoseGraph, OdometryWorseThanItSaysDoesNotRefuseTheRightClosures) {
+TEST(RobustPoseGraph, OdometryWorseThanItsInformationDoesNotRefuseTheRightClosures) {
   std::mt19937_64 generator = make_generator();
   SimulatedPoseGraph simulated = simulate_pose_graph({}, generator);
   for (Constraint& constraint : simulated.graph.constraints) {
@@ -188,7 +188,7 @@ TEST(RobustPoseGraph, AGroupStandsOrFallsByItsMean) {
 
 TEST(RobustPoseGraph, APieceJoinedByClosuresAloneIsPlaced) {
   PoseGraph graph = stiff_chain(6);
-  graph.constraints.erase(graph.constraints.begin() + 2);  // Nodes 3 to 5 hang on nothing.
+  graph.constraints.erase(graph.constraints.begin() + 2);  // Nodes 3 to 5 are not connected.
   EXPECT_THROW(solve_robustly(graph), ParameterError);
   Constraint joining = closure_off_by(0.0);
   joining.information *= 100.0;

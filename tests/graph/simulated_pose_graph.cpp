@@ -52,7 +52,7 @@ std::vector<Pose2> drive(const PoseGraphSimulation& simulation, std::mt19937_64&
   return poses;
 }
 
-/// A constraint with noise of its own covariance.
+/// A constraint with noise of its covariance.
 Constraint measure(const std::vector<Pose2>& truth,
                    std::size_t from,
                    std::size_t to,
@@ -118,7 +118,7 @@ Constraint false_claim(const WrongClosures& wrong,
     claim.from = index_below(generator, num_nodes - 10);
     claim.to = index_below(generator, num_nodes - 10);
   } while (claim.to <= claim.from + 20 || is_revisit(simulated.truth, claim.from, claim.to));
-  // The headings know better: only the translation is wrong.
+  // The headings are right: only the translation is wrong.
   claim.T_from_to = simulated.truth[claim.from].inverse() * simulated.truth[claim.to];
   claim.T_from_to.x_m = uniform_within(generator, -1.0, 1.0);
   claim.T_from_to.y_m = uniform_within(generator, -1.0, 1.0);

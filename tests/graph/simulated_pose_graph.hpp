@@ -28,18 +28,18 @@ struct SimulatedPoseGraph {
   std::vector<Pose2> truth;  ///< Node 0 at the origin.
   /// Headings near the truth, positions all at the origin.
   PoseGraph graph;
-  /// One entry a constraint: closures that were verified together share one.
+  /// One entry per constraint: closures that were verified together share one.
   std::vector<std::size_t> groups;
 };
 
 [[nodiscard]] SimulatedPoseGraph simulate_pose_graph(const PoseGraphSimulation& simulation,
                                                      std::mt19937_64& generator);
 
-/// How wrong closures claim to be right.
+/// Kinds of wrong closures.
 struct WrongClosures {
   double share = 0.3;          ///< Of all closures, the wrong ones included.
-  std::size_t group_size = 1;  ///< So many neighbours claim the same wrong thing.
-  /// Right closures moved by up to so much; 0: any two places, wherever they are.
+  std::size_t group_size = 1;  ///< Neighbours that claim the same wrong pose.
+  /// Right closures moved by up to this distance; 0: any two places, wherever they are.
   double slip_m = 0.0;
 };
 

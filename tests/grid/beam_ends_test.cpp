@@ -25,7 +25,7 @@ Scan fan(const std::vector<double>& ranges_m) {
   return scan;
 }
 
-/// One letter an end: R return, J joined return, n no-return.
+/// One letter per end: R return, J joined return, n no-return.
 std::string words_of(const std::vector<double>& ranges_m, const BeamEndParams& params = {}) {
   std::string words;
   for (const BeamEnd& end : beam_ends(fan(ranges_m), params)) {
@@ -50,7 +50,7 @@ TEST(BeamEnds, LoneNoReturnsAreDropOuts) {
   EXPECT_EQ(words_of({5, kFar_m, kFar_m, kFar_m, 5}), "RnnnR");
   EXPECT_EQ(words_of({kFar_m, kFar_m, kFar_m}), "nnn");
   EXPECT_EQ(words_of({kFar_m, kFar_m}), "");
-  EXPECT_EQ(words_of({kFar_m, kNan, kFar_m, kFar_m}), "") << "what tells nothing separates";
+  EXPECT_EQ(words_of({kFar_m, kNan, kFar_m, kFar_m}), "") << "a beam without information separates";
   EXPECT_EQ(words_of({kFar_m}, {.min_neighbouring_no_returns = 1}), "n");
 }
 
@@ -64,7 +64,7 @@ TEST(BeamEnds, AReturnTooFarCountsAsNoReturn) {
   EXPECT_EQ(words_of({12, 12, 12, 9}, {.max_return_range_m = 10.0}), "nnnR");
 }
 
-TEST(BeamEnds, InvalidBeamsTellNothing) {
+TEST(BeamEnds, InvalidBeamsHaveNoInformation) {
   const double inf = std::numeric_limits<double>::infinity();
   EXPECT_EQ(words_of({kNan, 0.0, -1.0, -inf}), "");
 }

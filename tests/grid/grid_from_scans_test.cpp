@@ -16,7 +16,7 @@ namespace setsquare::grid_from_scans_test {
 constexpr double kWidth_m = 9.97;
 constexpr double kDepth_m = 6.97;
 
-/// Scans of one room that lies askew in the map, along a path through it.
+/// Scans of one room that lies at an angle in the map, along a path through it.
 class AskewRoom : public ::testing::Test {
  protected:
   void SetUp() override {

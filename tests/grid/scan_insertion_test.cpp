@@ -14,7 +14,7 @@
 
 namespace setsquare::scan_insertion_test {
 
-/// A grid of its own with one band that holds all its rows.
+/// A separate grid with one band that holds all its rows.
 struct CountedGrid {
   CountedGrid(double resolution_m, std::int32_t num_columns, std::int32_t num_rows)
       : grid({}, resolution_m, num_columns, num_rows),
@@ -64,8 +64,8 @@ TEST(ScanInsertion, NoReturnsWeighLessAndOccupyNothing) {
 }
 
 TEST(ScanInsertion, WallSeenAtAGrazingAngleIsNotFreedBetweenItsReturns) {
-  // A slanting wall 0.9 m and more beside the sensor, whose returns lie farther and farther apart:
-  // before it ends, a beam runs through the cells of the wall.
+  // A slanting wall 0.9 m and more to the side of the sensor, whose returns lie farther and farther
+  // apart: before it ends, a beam runs through the cells of the wall.
   std::vector<BeamEnd> ends;
   for (double x_m = 0.5; x_m < 15.0; x_m *= 1.03) ends.push_back(hit_at(x_m, 0.9 + 0.01 * x_m));
   CountedGrid lone(0.05, 400, 60);
@@ -98,7 +98,7 @@ TEST(ScanInsertion, WhatIsPassedOftenIsFreeWhateverItsHitsAndTheOtherWayRound) {
   for (int i = 0; i < 10; ++i) counted.count({0.5, 0.5, 0.0}, {hit_at(i < 1 ? 3.0 : 5.0)});
   for (int i = 0; i < 10; ++i) counted.count({0.5, 0.5, 0.0}, {hit_at(i < 4 ? 5.0 : 8.0)});
   const OccupancyGrid& grid = counted.finish();
-  EXPECT_EQ(grid.state({3, 0}), CellState::kFree) << "somebody stood there once";
+  EXPECT_EQ(grid.state({3, 0}), CellState::kFree) << "a person stood there once";
   EXPECT_EQ(grid.state({5, 0}), CellState::kOccupied) << "glass: 13 beams stopped, 6 did not";
 }
 

@@ -50,7 +50,7 @@ TEST(HeadingAssignment, WhatFitsNoFrameIsNone) {
                   .empty());
 }
 
-TEST(HeadingAssignment, WhereLittleFitsTheRestIsBelievedLess) {
+TEST(HeadingAssignment, WhereLittleFitsTheRestHasLessWeight) {
   const auto all = assign_heading_proposals(
       {keyframe_with({0.1})}, two_frames(1.0), kPeriod_rad, kGate_rad, 0.04);
   const auto half = assign_heading_proposals(

@@ -23,8 +23,8 @@ HeadingFrames find(const SimulatedHeadings& simulated) {
   return find_heading_frames(simulated.evidence, trace_headings(simulated.evidence));
 }
 
-/// Largest distance of the rough drift from the true one, modulo a quarter turn and beside what all
-/// keyframes have in common.
+/// Largest distance of the rough drift from the true one, modulo a quarter turn and apart from what
+/// all keyframes have in common.
 double worst_miss_rad(const SimulatedHeadings& simulated, const HeadingFrames& found) {
   const auto miss_rad = [&](std::size_t k) {
     return simulated.evidence[k].tracked_heading_rad + found.drift_rad[k] -
@@ -106,7 +106,7 @@ TEST(HeadingFrames, ASmallJumpThatIsUndoneIsAWallAskew) {
   EXPECT_LT(worst_miss_rad(simulated, found), rad_from_deg(0.6));
 }
 
-TEST(HeadingFrames, TheShareExplainedTellsStraightWallsFromRoundOnes) {
+TEST(HeadingFrames, TheShareExplainedSeparatesStraightWallsFromRoundOnes) {
   auto generator = make_generator();
   const auto straight = simulate_headings({.num_keyframes = 300, .outlier_share = 0.1}, generator);
   const auto round = simulate_headings({.num_keyframes = 300, .outlier_share = 1.0}, generator);

@@ -19,7 +19,7 @@ using testing::simulate_headings;
 using testing::SimulatedHeadings;
 
 /// Absolute errors of the fused headings against the truth. The building has four headings that
-/// look alike; the whole map may be turned by quarter turns, all keyframes by the same.
+/// look the same; the whole map may be turned by quarter turns, all keyframes by the same.
 std::vector<double> errors_rad(const SimulatedHeadings& simulated, const FusedHeadings& fused) {
   const double off_rad = fused.heading_rad.front() - simulated.heading_rad.front();
   const double turn_rad = 0.5 * kPi * std::round(off_rad / (0.5 * kPi));
@@ -141,7 +141,7 @@ TEST(HeadingFusion, TheMeasurementIsTheHeadingInTheMap) {
   }
 }
 
-TEST(HeadingFusion, SigmaTellsTheErrors) {
+TEST(HeadingFusion, SigmaMatchesTheErrors) {
   auto generator = make_generator();
   const HeadingFusionParams params{.building_sigma_rad = rad_from_deg(0.3), .num_alike = 1.0};
   double sum_squares = 0.0;

@@ -46,7 +46,7 @@ TEST(HeadingProposals, ASquareRoomProposesItsOwnDirection) {
   }
 }
 
-TEST(HeadingProposals, WhatARoundRoomProposesIsHardlyBelieved) {
+TEST(HeadingProposals, ProposalsOfARoundRoomHaveLittleWeight) {
   // Its arcs are made of short straight pieces: some direction always has a little more of them.
   std::mt19937_64 generator = testing::make_generator();
   constexpr int kNumRuns = 40;
@@ -73,7 +73,7 @@ TEST(HeadingProposals, TooFewPointsProposeNothing) {
 }
 
 TEST(HeadingProposals, ConfidenceGrowsWithTheMargin) {
-  // The longer the screen askew, the smaller the margin of the room's own direction.
+  // The longer the oblique screen, the smaller the margin of the room's own direction.
   constexpr double kLargeMargin = 30.0;
   double last_confidence = 1.0;
   for (const double length_m : {0.6, 1.2, 1.8, 2.4}) {

@@ -35,7 +35,7 @@ inline SimulatedHeadings simulate_headings(const HeadingSimulation& simulation,
   std::normal_distribution<double> normal(0.0, 1.0);
   std::uniform_real_distribution<double> share(0.0, 1.0);
   SimulatedHeadings simulated;
-  double drift_rad = 0.3;  // The tracker starts in a frame of its own.
+  double drift_rad = 0.3;  // The tracker starts in its own frame.
   for (std::size_t k = 0; k < simulation.num_keyframes; ++k) {
     const double t = static_cast<double>(k);
     const double heading_rad = 0.04 * t + 1.5 * std::sin(0.05 * t);

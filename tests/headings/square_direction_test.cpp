@@ -59,7 +59,7 @@ TEST(SquareDirections, RotateWithTheScanModuloARightAngle) {
     const PointSet turned = testing::seen_after_turn(points, turn_rad);
     const double after_rad =
         square_directions(turned, scan.bearing_step_rad).peaks.front().theta_rad;
-    // The density's bins turn the starts, the mean hardly feels it.
+    // The density's bins turn the starts, the mean hardly changes.
     EXPECT_NEAR(wrap_to_period(after_rad - before_rad - turn_rad, kSquare), 0.0, 1e-4);
   }
 }

@@ -35,7 +35,7 @@ struct SeededBuilding {
   double max_mean_deg = 0.0;
 };
 
-/// What tracking and the walls say at the keyframes of a drive, and where the robot really faced.
+/// The evidence of tracking and walls at the keyframes of a drive, and the true headings.
 struct Drive {
   std::vector<HeadingEvidence> evidence;
   std::vector<double> heading_rad;
@@ -67,7 +67,7 @@ Drive drive_through(const SeededBuilding& seeded) {
   return drive;
 }
 
-/// Mean distance of headings from the truth, beside what all have in common.
+/// Mean distance of headings from the truth, apart from what all have in common.
 double mean_error_rad(const std::vector<double>& heading_rad,
                       const std::vector<double>& truth_rad) {
   std::vector<double> errors_rad;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What the command says to bad input: one line that names the file and the reason, exit code 2.
+// The command's answer to bad input: one line that names the file and the reason, exit code 2.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

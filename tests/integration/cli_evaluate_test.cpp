@@ -27,8 +27,8 @@ using ::testing::StartsWith;
 using testing::TemporaryFolder;
 using Json = nlohmann::json;
 
-/// A robot that drives twice along the same 20 m, 0.1 m a scan, 10 scans a second, looking along
-/// the map's y; the second time begins 100 s after the first.
+/// A robot that drives twice along the same 20 m, 0.1 m per scan, 10 scans per second, looking
+/// along the map's y; the second time begins 100 s after the first.
 Trajectory two_drives() {
   Trajectory trajectory;
   for (int drive = 0; drive < 2; ++drive) {
@@ -58,7 +58,7 @@ std::string relations_of(const Trajectory& trajectory) {
 }
 
 /// Scans of the second drive seen from the first: a right one, one 1 m too far ahead (along the
-/// map's y), the same one as a closure of x alone, a refused one, one that nothing tells of.
+/// map's y), the same one as a closure of x alone, a refused one, one that no reference reaches.
 std::vector<LoopClosure> closures() {
   const auto closure = [](int i, int j, double x_m, ClosureAxes axes, bool is_accepted) {
     const auto stamp = [](int k) {
@@ -73,7 +73,7 @@ std::vector<LoopClosure> closures() {
           closure(11, 900, 0.0, ClosureAxes::kXY, true)};
 }
 
-/// The files of such a run, in a folder of their own.
+/// The files of such a run, in a separate folder.
 class CommandEvaluateClosures : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -165,7 +165,7 @@ TEST_F(CommandEvaluateClosures, AMapWithoutClosuresHasNoShareOfWrongOnes) {
   EXPECT_THAT(run_setsquare("evaluate closures " + none + " " + relations_).out, HasSubstr(" - "));
 }
 
-TEST(CommandEvaluateChains, TellWhetherToBelieveTheJudge) {
+TEST(CommandEvaluateChains, ShowWhetherTheVerdictsAreReliable) {
   const TemporaryFolder folder;
   const std::string relations = folder.write("true.relations", relations_of(two_drives()));
   const CommandOutcome outcome = run_setsquare("evaluate chains --json " + relations);
@@ -235,7 +235,7 @@ TEST(CommandEvaluateTrajectory, WhatCannotBeComparedIsRefusedInOneLine) {
   }
 }
 
-TEST(CommandEvaluateRealRelations, ChainsForetellWhatTheyDoNotContain) {
+TEST(CommandEvaluateRealRelations, ChainsPredictRelationsThatTheyDoNotContain) {
   for (const std::string log : {"intel", "aces", "fr079"}) {
     const auto relations = testing::data_file(log + "/" + log + ".relations");
     if (!relations) GTEST_SKIP() << "no data folder";

@@ -53,7 +53,7 @@ TEST(CommandExperiment, RefusesASectionThatThereIsNot) {
   EXPECT_FALSE(std::filesystem::exists(out));
 }
 
-TEST(CommandExperiment, TellsWhereItCannotWrite) {
+TEST(CommandExperiment, ReportsWhereItCannotWrite) {
   const TemporaryFolder folder;
   const std::string file = folder.write("file", "");
   const CommandOutcome outcome = run_setsquare("experiment paper --only honesty -o " + file);
@@ -68,7 +68,7 @@ TEST(CommandExperiment, HelpComesFromTheProgramThatOwnsTheOptions) {
   EXPECT_EQ(run_setsquare("experiment --help").exit_code, 0);
 }
 
-/// The command without the program beside it: a copy in a folder of its own.
+/// The command without the program in its folder: a copy in a separate folder.
 TEST(CommandExperiment, WithoutItsProgramTheCommandSaysWhatToBuild) {
   const TemporaryFolder folder;
   const auto command = folder.path() / "setsquare";

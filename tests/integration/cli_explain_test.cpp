@@ -119,7 +119,7 @@ TEST(CommandExplain, WhatItCannotFindOrWriteIsOneLineAndCodeTwo) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder.path()), {}), 1);
 }
 
-TEST(CommandExplain, TellsOfACutGzip) {
+TEST(CommandExplain, ReportsACutGzip) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", room_log());
   const std::string cut = "'" + (folder.path() / "cut.gz").string() + "'";

@@ -25,7 +25,7 @@ std::string small_log() {
          "FLASER 4 1.00 2.00 3.00 4.00 0.2 0 0 0.2 0 0 100.5 h 0\n";
 }
 
-TEST(CommandInfo, TellsWhatIsInALogAndWhatIsWrong) {
+TEST(CommandInfo, ReportsTheContentsOfALogAndItsFaults) {
   const TemporaryFolder folder;
   const CommandOutcome outcome = run_setsquare("info " + folder.write("small.clf", small_log()));
   EXPECT_EQ(outcome.exit_code, 0);

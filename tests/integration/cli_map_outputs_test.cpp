@@ -93,7 +93,7 @@ TEST(CommandMapOutputs, ARunKilledInItsMiddleLeavesTheLastOutputsWhole) {
   const auto before = contents_of(out);
   EXPECT_TRUE(before.contains("run.json"));
 
-  // A log that goes on and on: the pipe stays open until the run has been killed.
+  // A log without end: the pipe stays open until the run has been killed.
   const std::string pipe = "'" + (folder.path() / "pipe").string() + "'";
   const std::string log = folder.write("long.clf", room_log(40));
   const CommandOutcome killed = run_setsquare(

@@ -75,7 +75,7 @@ TEST(CommandMap, WhereNoScanCanBeMappedTheLastMapStays) {
   EXPECT_EQ(content_of(folder.path() / "out" / "map.png"), picture);
 }
 
-TEST(CommandMap, TellsTheFilesThatItWrote) {
+TEST(CommandMap, ListsTheFilesThatItWrote) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", room_log());
   for (const std::string preset : {"default", "paper"}) {

@@ -29,7 +29,7 @@ const Pose2 kMounting{0.1, 0.0, 0.0};
 const Pose2 kRobotPoses[] = {{2.0, 2.5, 0.3}, {2.6, 2.2, 0.6}, {2.2, 3.0, -0.4}};
 
 /// A CARMEN log of three scans of one room, and one that saw nothing; stamps 10, 11.5, 12, 13 s.
-/// The poses in it are no help: all alike.
+/// The poses in it are no help: all are the same.
 std::string room_log() {
   std::ostringstream log;
   const auto line = [&](const std::vector<double>& ranges_m, const char* stamp) {
@@ -199,7 +199,7 @@ TEST(CommandMatch, PairsTakeTheScanNearestToTheirStamp) {
   EXPECT_EQ(rows[0][2], "matched");
 }
 
-TEST(CommandMatch, DamageIsToldWhetherTheScansAreFoundOrNot) {
+TEST(CommandMatch, DamageIsReportedWhetherTheScansAreFoundOrNot) {
   const TemporaryFolder folder;
   const std::string log = folder.write("room.clf", "FLASER 3 1 2\n" + room_log());
   const CommandOutcome found = run_setsquare("match " + log + " 0 1");

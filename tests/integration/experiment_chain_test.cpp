@@ -198,7 +198,7 @@ TEST(MapErrors, ClosuresAreJudgedAlongTheAxesThatTheyBind) {
   EXPECT_EQ(counts.num_wrong_heavy, 2U);
 }
 
-TEST(MapMedians, AreOfTheSeedsWithTheWorstBesideThem) {
+TEST(MapMedians, AreOfTheSeedsAndListTheWorst) {
   CircuitStudy study;
   study.runs.resize(3);
   study.runs[0].mapper_errors = {.first_mean_m = 0.03, .first_final_m = 0.1};

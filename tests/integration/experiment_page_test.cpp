@@ -80,7 +80,7 @@ TEST(PaperExperiment, APeersAnswersAreJudgedLikeOurs) {
   EXPECT_LT(icp.at("num_success"), 3) << "the scans are 0.4 m apart";
 }
 
-/// What this project set out to reach, on the quick run; `--check-goals` has it of the whole one.
+/// The project's goals on the quick run; `--check-goals` checks them on the whole one.
 void expect_musts(const std::vector<std::string>& sections, std::size_t num_goals) {
   PaperExperimentParams params;
   params.sections = sections;

@@ -105,7 +105,7 @@ TEST(BuildingStudy, TheNumberOfThreadsChangesNothing) {
   EXPECT_NE(alone.find("\"num_buildings\":5"), std::string::npos);
 }
 
-TEST(RunInParallel, EveryTaskRunsOnceAndTheFirstFailureIsTold) {
+TEST(RunInParallel, EveryTaskRunsOnceAndTheFirstFailureIsReported) {
   std::vector<int> runs(50, 0);
   std::size_t told = 0;
   run_in_parallel(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What `explain` tells of a verdict, against the verdict itself, on real scans. Skips where the
+// The account of a verdict by `explain`, against the verdict itself, on real scans. Skips where the
 // logs are absent.
 #include <gtest/gtest.h>
 

@@ -100,7 +100,7 @@ TEST_P(MapRealLog, AgreesWithTheRelationsAndClosesNothingWrongly) {
   EXPECT_EQ(summary.accepted.num_wrong, 0U);
 }
 
-// A little above what was reached when this was written: no way back.
+// A little above the errors when this was written, so that they do not grow again.
 INSTANTIATE_TEST_SUITE_P(Logs,
                          MapRealLog,
                          ::testing::Values(RealLog{"intel", true, 0.0140, 0.215, 0.0175, 500},
@@ -115,7 +115,7 @@ TEST(MapRealLogs, AHoleInTheLogIsBridgedByThePlacesSeenAgain) {
   const auto data = recording("intel");
   if (!data) GTEST_SKIP() << "intel is not there";
   const Map track = map_log(data->log_path, false, 1, 6000, 6600);
-  ASSERT_EQ(track.pieces.size(), 2U) << "nobody knows how the robot moved in a minute";
+  ASSERT_EQ(track.pieces.size(), 2U) << "the motion during a minute is unknown";
   EXPECT_TRUE(track.pieces[0].is_joined && track.pieces[1].is_joined);
   const RelationErrorReport report = relation_error(trajectory_of(track), data->relations);
   EXPECT_LE(report.all.translation_m.mean, 0.0145);

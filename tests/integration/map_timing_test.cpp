@@ -39,7 +39,7 @@ TEST(StageClock, AddsUpWhatEachStageTook) {
   EXPECT_LT(clock.stages()[1].wall_s, 0.02);
 }
 
-TEST(MapTiming, TellsStagesMachineAndBuild) {
+TEST(MapTiming, StatesStagesMachineAndBuild) {
   const json timing = json::parse(app::timing_json(
       MapTiming{.stages = {{"track", 1.5}, {"grid", 0.25}}, .num_scans = 1000, .num_threads = 2}));
   EXPECT_EQ(timing["wall_s"]["stages"]["track"], 1.5);

@@ -3,7 +3,7 @@
 // Wrong closures that passed verification must not change the map: they are put into the graphs
 // that the mapper makes of real logs and of a simulated building. Prints a line of a table for
 // each: own closures, wrong ones, their share, group size, error in m without them, with them, with
-// all believed, largest weight of a wrong one, own ones refused.
+// full weight of all, largest weight of a wrong one, own ones refused.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -67,7 +67,7 @@ PoseGraph believed(PoseGraph graph) {
 
 struct Injected {
   double error_m = 0.0;
-  double believed_error_m = 0.0;  ///< Where all closures are believed.
+  double believed_error_m = 0.0;  ///< With full weight of all closures.
   std::size_t num_wrong = 0;
   double largest_wrong_weight = 0.0;
   std::size_t num_own_refused = 0;
@@ -101,7 +101,8 @@ struct JudgedMap {
   ErrorOf error_of;
 };
 
-/// Wrong closures singly and in groups of five, `num_draws` times each; told as a line of a table.
+/// Wrong closures singly and in groups of five, `num_draws` times each; printed as a line of a
+/// table.
 void expect_same_map(const JudgedMap& map, WrongClosureParams params, int num_draws) {
   const std::size_t num_own = num_closures(map.track.graph);
   ASSERT_GT(num_own, 20U);
@@ -175,7 +176,7 @@ INSTANTIATE_TEST_SUITE_P(Logs,
                                            RealLog{"fr079", false}),
                          test_name);
 
-/// Many more draws than every day's, and up to 60 %: for the table of docs/method.md.
+/// Many more draws than the default test, and up to 60 %: for the table of docs/method.md.
 class ManyWrongClosures : public ::testing::TestWithParam<RealLog> {};
 
 TEST_P(ManyWrongClosures, LeaveTheMap) {
@@ -219,8 +220,8 @@ JudgedMap map_of_the_paper_building() {
 }
 
 /// Loops are long and few there: where the next closure is hundreds of metres away, a slip of half
-/// a metre is what tracking may have drifted. Such a one is not drawn; five sigma are. Five that
-/// tell the same outweigh what one does not.
+/// a metre is what tracking may have drifted. Such slips are not drawn; slips of five sigma are.
+/// Five agreeing closures outweigh what a single one does not.
 WrongClosureParams wrong_beyond_doubt(double share) {
   return {.share = share, .min_squared_disagreement = 25.0};
 }

@@ -194,7 +194,7 @@ TEST_F(OutputSetTest, TwoRunsDoNotWriteIntoOneDirectory) {
   EXPECT_EQ(content("run.json"), "one");
 }
 
-TEST_F(OutputSetTest, ADirectoryInAFilesPlaceIsToldAtOnce) {
+TEST_F(OutputSetTest, ADirectoryInAFilesPlaceIsReportedAtOnce) {
   put("map.png/x", "");
   EXPECT_THROW(OutputSet(folder_.string(), kNames), FileError);
   EXPECT_EQ(entries(), std::set<std::string>{"map.png"});

@@ -15,9 +15,9 @@
 namespace setsquare::testing {
 namespace {
 
-/// Members of a group are so many keyframes apart, as a mapper's stations are.
+/// Members of a group are this many keyframes apart, as a mapper's stations are.
 constexpr std::size_t kStride = 3;
-/// What neighbouring closures differ by, and what their rotation is off by.
+/// Differences of neighbouring closures, and the error of their rotation.
 constexpr double kNoise_m = 0.01;
 constexpr double kNoise_rad = rad_from_deg(0.2);
 
@@ -103,7 +103,8 @@ class Injection {
     return length_m * Eigen::Vector2d(std::cos(angle_rad), std::sin(angle_rad));
   }
 
-  /// Whether the graph knows better. W and the vector by which a closure is off in the map frame.
+  /// Whether the graph contradicts the closure. W and the vector by which a closure is off in the
+  /// map frame.
   bool may_be_told(std::pair<std::size_t, std::size_t> places,
                    const Eigen::Vector2d& off_m,
                    const Eigen::Matrix2d& W) const {

@@ -13,12 +13,12 @@ namespace setsquare::testing {
 
 struct WrongClosureParams {
   double share = 0.3;          ///< Of all closures, the wrong ones included.
-  std::size_t group_size = 1;  ///< So many neighbouring pairs tell the same wrong displacement.
+  std::size_t group_size = 1;  ///< Neighbouring pairs that share one wrong displacement.
   double min_way_m = 20.0;     ///< Along the track, between the two places.
   double min_off_m = 0.5;      ///< How far off a wrong closure is, along an axis that it binds ...
   double max_slip_m = 5.0;     ///< ... where it is a slip; others take any two places for one.
   /// For each member of a group: squared distance from what the graph knows of the two places
-  /// without it, by the covariance of both. Of less nobody can tell that it is wrong.
+  /// without it, by the covariance of both. A closure with less cannot be recognized as wrong.
   double min_squared_disagreement = 0.0;
 };
 

@@ -79,7 +79,7 @@ TEST(CarmenWriter, WhatIsWrittenReadsBack) {
   }
 }
 
-TEST(CarmenWriter, EveryBeamKeepsWhatItTells) {
+TEST(CarmenWriter, EveryBeamKeepsItsOutcome) {
   const double infinity = std::numeric_limits<double>::infinity();
   Scan scan;
   scan.first_bearing_rad = 1.0;

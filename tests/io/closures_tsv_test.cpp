@@ -35,7 +35,7 @@ std::string error_of(const std::string& text) {
   return {};
 }
 
-TEST(ClosuresTsv, IsTheTableThatItsHeaderTells) {
+TEST(ClosuresTsv, IsTheTableThatItsHeaderDescribes) {
   const std::vector<LoopClosure> closures = {
       {{1'500'000'000}, {2'000'000'000}, {0.1, -2.0, 3.14}, ClosureAxes::kXY, true, 0.5, "it fits"},
       {{-1'000}, {976052857'337530'000}, {0.0, 1e-9, 0.0}, ClosureAxes::kX, false, 0.0, ""},

@@ -72,9 +72,9 @@ TEST(PgmImage, ErrorsNameTheOffsetAndTheReason) {
   EXPECT_THAT(error_of_image("P5 1 1 100 z"), HasSubstr("brighter than white"));
 }
 
-TEST(PgmImage, ALyingHeaderCostsNothing) {
+TEST(PgmImage, AWrongHeaderAllocatesNothing) {
   EXPECT_THAT(error_of_image("P5 1000000 1000000 255 abc"), HasSubstr("400 million"));
-  // 800 MB if it were believed; the bytes end first.
+  // 800 MB by the header; the bytes end first.
   EXPECT_THAT(error_of_image("P5 1000000 400 255 abc"), HasSubstr("ends too early"));
 }
 
@@ -152,7 +152,7 @@ TEST(MapPgmYaml, GreyBecomesOccupancyAsMapServerSays) {
                           CellState::kOccupied));
 }
 
-TEST(MapPgmYaml, TheImageLiesBesideTheYamlAndBeginsAtItsTop) {
+TEST(MapPgmYaml, TheImageIsInTheFolderOfTheYamlAndBeginsAtItsTop) {
   const testing::TemporaryFolder temporary;
   const std::filesystem::path& folder = temporary.path();
   std::ofstream(folder / "map.yaml") << kYaml;

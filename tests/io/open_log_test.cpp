@@ -81,7 +81,7 @@ TEST(OpenLog, AMountingThatIsNoneIsRemarked) {
   text += scan_line("FLASER", Pose2{1.0, 0.0, 0.0}, Pose2{0.0, 0.0, 0.0});
   text += scan_line("FLASER", Pose2{2.0, 0.0, 0.0}, Pose2{0.0, 0.0, 0.0});
   const auto log = read_all(text);
-  EXPECT_THAT(log.problems.remarks, SizeIs(1));  // told once
+  EXPECT_THAT(log.problems.remarks, SizeIs(1));  // reported once
   EXPECT_THAT(log.problems.remarks[0], HasSubstr("not constant"));
   EXPECT_EQ(log.records.back().scan.T_base_sensor, Pose2{});
 }

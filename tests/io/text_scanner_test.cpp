@@ -12,7 +12,7 @@
 
 namespace setsquare::text_scanner_test {
 
-// The short-decimal path must give the very double that strtod gives.
+// The short-decimal path must give exactly the double that strtod gives.
 TEST(TextScanner, NumbersEqualStrtodBitForBit) {
   auto generator = testing::make_generator();
   for (int i = 0; i < 20000; ++i) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// A program may have set a locale of its own: files stay what they are.
+// A program may have set its own locale: files stay what they are.
 #include <gtest/gtest.h>
 
 #include <array>

@@ -141,7 +141,7 @@ TEST(ClosureCandidates, AreTheSameWhetherAskedAtOnceOrInParts) {
 }
 
 TEST(ClosureCandidates, AClosureNarrowsTheWindowsBehindIt) {
-  // There and back beside it, 60 m each way.
+  // There and back on a parallel line, 60 m each way.
   const auto window_at_the_start = [](bool is_linked) {
     ClosureCandidates candidates({});
     std::vector<Eigen::Vector2d> positions_m;
@@ -182,7 +182,7 @@ TEST(ClosureCandidates, PiecesAreComparedOnceALinkJoinsThem) {
   EXPECT_GT(num_across, 10U);
 }
 
-/// The time that a station costs at the end of a track that goes to and fro, 40 m a lane, in s.
+/// The time that a station costs at the end of a track that goes to and fro, 40 m per lane, in s.
 double time_per_station_s(std::size_t num_stations) {
   constexpr std::size_t kLane = 40;
   ClosureCandidates candidates({});
@@ -209,7 +209,7 @@ double time_per_station_s(std::size_t num_stations) {
 }
 
 TEST(ClosureCandidates, AStationCostsTheSameInALargeMap) {
-  // Four times the map would be four times the cost, were all stations looked at.
+  // If all stations were looked at, four times the map would take four times the time.
   EXPECT_LT(time_per_station_s(8000), 2.5 * time_per_station_s(2000));
 }
 

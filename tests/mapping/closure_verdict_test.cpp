@@ -11,7 +11,7 @@ namespace setsquare::closure_verdict_test {
 
 const ClosureVerdictParams kParams;
 
-/// So many points bind the direction at `strong_rad`, so many the one across it.
+/// `strong_points` bind the direction at `strong_rad`, `open_points` the one across it.
 void bind(SubmapMatch& match, double strong_rad, double strong_points, double open_points) {
   const Eigen::Vector2d strong(std::cos(strong_rad), std::sin(strong_rad));
   const Eigen::Vector2d open(-strong.y(), strong.x());
@@ -92,7 +92,7 @@ TEST(ClosureVerdict, ARivalThatAgreesAsWellMakesItAmbiguous) {
 }
 
 TEST(ClosureVerdict, ACorridorBindsOneAxis) {
-  // Whatever the reference's heading, the axis that the map leaves open tells.
+  // Whatever the reference's heading, the axis that the map leaves open decides.
   for (const double heading_rad : {0.0, 0.9, -2.0}) {
     const ClosureVerdict along_x =
         closure_verdict(corridor_match(-heading_rad), heading_rad, kParams);
@@ -136,7 +136,7 @@ TEST(ClosureVerdict, FewPointsAllAroundAreNoCorridor) {
   EXPECT_EQ(reason_of(match), ClosureReason::kOpenDirection);
 }
 
-TEST(ClosureVerdict, EveryReasonHasWordsOfItsOwn) {
+TEST(ClosureVerdict, EveryReasonHasItsOwnWords) {
   std::set<std::string_view> words;
   for (const ClosureReason reason : {ClosureReason::kStandsAlone,
                                      ClosureReason::kOneAxis,
@@ -157,18 +157,18 @@ TEST(ClosureVerdict, RefusesParametersThatAreNone) {
   EXPECT_THROW(ClosureVerdictParams{.min_effective_points = 0.0}.validate(), ParameterError);
 }
 
-TEST(ComparedPlaces, TellNothingAlongAnOpenDirection) {
+TEST(ComparedPlaces, HaveNoInformationAlongAnOpenDirection) {
   constexpr double kHeading_rad = 0.4;
   SubmapMatch match = corridor_match(-kHeading_rad);
   const Eigen::Vector3d open(std::cos(-kHeading_rad), std::sin(-kHeading_rad), 0.0);
   const Eigen::Vector3d bound(-open.y(), open.x(), 0.0);
-  // The rotation hangs together with either direction.
+  // The rotation is coupled with either direction.
   Eigen::Matrix3d& hessian = match.best.hessian;
   hessian.topRightCorner<2, 1>() = (7.0 * open + 40.0 * bound).head<2>();
   hessian.bottomLeftCorner<1, 2>() = hessian.topRightCorner<2, 1>().transpose();
   const ComparedPlaces places = judged_places(3, 9, match, kHeading_rad, 0.1, kParams);
   ASSERT_EQ(places.verdict.reason, ClosureReason::kOneAxis);
-  // What stays when nothing is known along `open`: 2 points bind it, b hangs on it.
+  // What stays when nothing is known along `open`: 2 points bind it, b is coupled with it.
   const Eigen::Vector3d b = hessian * open;
   const Eigen::Matrix3d expected = (hessian - b * b.transpose() / 2.0) / 0.01;
   EXPECT_TRUE(places.information.isApprox(expected, 1e-12));

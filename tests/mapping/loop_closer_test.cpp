@@ -38,7 +38,7 @@ class LoopCloserAroundABlock : public ::testing::Test {
 };
 
 TEST_F(LoopCloserAroundABlock, ClosesTheLoopOverADriftedTrack) {
-  // A drift of 1 m by the end of the way: the rooms' walls must tell, not the track.
+  // A drift of 1 m by the end of the way: the rooms' walls must decide, not the track.
   std::vector<Pose2> drifted = truth_;
   for (std::size_t k = 0; k < drifted.size(); ++k) {
     const double share = static_cast<double>(k) / static_cast<double>(drifted.size());

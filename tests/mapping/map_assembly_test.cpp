@@ -21,7 +21,8 @@ Pose2 random_pose(std::mt19937_64& generator) {
       uniform(generator, -3.0, 3.0), uniform(generator, -3.0, 3.0), uniform(generator, -kPi, kPi)};
 }
 
-/// Sensors mounted askew, each scan's otherwise, at random poses with constraints between them.
+/// Sensors mounted at an angle, a different one per scan, at random poses with constraints between
+/// them.
 struct MountedTrack {
   explicit MountedTrack(std::size_t num) {
     for (std::size_t k = 0; k < num; ++k) {
@@ -89,7 +90,7 @@ ComparedPlaces places(std::size_t from, std::size_t to, const ClosureVerdict& ve
   return compared;
 }
 
-TEST(MappedClosures, TellThePosesOfTheBaseAndTheFinalWeights) {
+TEST(MappedClosures, HaveThePosesOfTheBaseAndTheFinalWeights) {
   MountedTrack mounted(8);
   std::vector<ComparedPlaces> compared = {
       places(0, 6, {ClosureReason::kStandsAlone, ClosureAxes::kXY}),

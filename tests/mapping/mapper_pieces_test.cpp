@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Logs with holes: the robot was moved while nobody looked.
+// Logs with holes: the robot was moved while nothing was recorded.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using testing::Wall;
 
 constexpr double kNoise_m = 0.01;
 
-/// Drives in different places, and nothing of the ways between them.
+/// Drives in different places, without the ways between them.
 struct LogWithHoles {
   void add(const std::vector<Wall>& walls, const std::vector<Pose2>& T_world_sensor) {
     begins.push_back(scans.size());
@@ -88,7 +88,7 @@ TEST(MapperPieces, AreJoinedWhereTheirWaysOverlap) {
   expect_true_poses(track, log, 0, track.pieces[2].first_scan, log.scans.size());
 }
 
-TEST(MapperPieces, WithoutOverlapItIsToldThatNobodyKnows) {
+TEST(MapperPieces, WithoutOverlapAPieceIsReportedAsNotJoined) {
   const LogWithHoles log = carried_elsewhere();
   const Map track = map_of(log, {});
   ASSERT_EQ(track.pieces.size(), 2U);
@@ -104,14 +104,14 @@ TEST(MapperPieces, WithoutOverlapItIsToldThatNobodyKnows) {
     EXPECT_FALSE(closure.closure.is_accepted && closure.scan_i < log.begins[1] &&
                  closure.scan_j >= log.begins[1]);
   }
-  // Each piece is a map of its own.
+  // Each piece is a separate map.
   const std::size_t first = track.pieces[1].first_scan;
   expect_true_poses(track, log, first, first, log.scans.size());
 }
 
 TEST(MapperPieces, OdometryTiesThem) {
   LogWithHoles log = carried_elsewhere();
-  // Driven blind, the wheels turning, to a room 30 m away.
+  // Driven without scans, but with odometry, to a room 30 m away.
   for (std::size_t i = log.begins[1]; i < log.truth.size(); ++i) {
     log.truth[i] = Pose2{30.0, 5.0, 0.0} * log.truth[i];
   }
@@ -136,7 +136,7 @@ TEST(MapperPieces, OdometryThatBeginsBehindTheHoleTiesNothing) {
   const Map track = mapper.finish();
   ASSERT_EQ(track.pieces.size(), 2U);
   EXPECT_EQ(track.pieces[1].first_scan, restart);
-  EXPECT_FALSE(track.scans[restart].has_odometry) << "nothing tells where it was before";
+  EXPECT_FALSE(track.scans[restart].has_odometry) << "its place before is unknown";
   EXPECT_TRUE(track.scans[restart + 1].has_odometry);
 }
 
@@ -157,7 +157,7 @@ TEST(MapperPieces, ManyThreadsGiveTheSameBits) {
   }
 }
 
-TEST(MapperPieces, FinishingTwiceTellsTheSame) {
+TEST(MapperPieces, FinishingTwiceGivesTheSame) {
   const LogWithHoles log = carried_away_and_back();
   Mapper mapper;
   for (const Scan& scan : log.scans) mapper.add(scan);

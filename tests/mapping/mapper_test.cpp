@@ -53,7 +53,7 @@ TEST_F(MapperInRoom, MapsEveryScanInOrder) {
 }
 
 TEST_F(MapperInRoom, TheMapStandsSquare) {
-  // The room's walls run along the axes of the world; so must they in the map.
+  // The room's walls run along the axes of the world; so they must in the map, too.
   const Map track = mapper_.finish();
   for (std::size_t i = 0; i < truth_.size(); ++i) {
     const double error_rad =

@@ -61,7 +61,7 @@ TEST(PaperMapper, ARejectedScanStandsStillAndTheWayGoesOn) {
 }
 
 TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
-  // A square room looks the same after a quarter turn: only the limit tells.
+  // A square room looks the same after a quarter turn: only the limit decides.
   const std::vector<testing::Wall> room = {{-3.0, -3.0, 3.0, -3.0},
                                            {3.0, -3.0, 3.0, 3.0},
                                            {3.0, 3.0, -3.0, 3.0},
@@ -84,7 +84,7 @@ TEST(PaperMapper, NeighboursNeverTurnByAQuarter) {
   EXPECT_GT(num_wrong_turns({.matcher = {}}), 0) << "all four offsets: the limit was not needed";
 }
 
-TEST(PaperMapper, AfterRejectedScansTheWallsTellTheHeading) {
+TEST(PaperMapper, AfterRejectedScansTheWallsGiveTheHeading) {
   PaperMapperParams params;
   params.max_rejected = 2;
   PaperMapper mapper(params);
@@ -107,7 +107,7 @@ TEST(PaperMapper, BlankScansCostNoOther) {
   const std::vector<Pose2> truth = drive({{1.5, 1.5}, {3.5, 1.5}}, 0.1);
   for (const std::size_t first : {0U, 4U}) {
     std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, 0.01, papers_fan());
-    // The robot waits, blinded, for longer than rejected scans are borne.
+    // The robot waits, blinded, for longer than rejected scans are tolerated.
     Scan blank = scans[first];
     blank.ranges_m.assign(1081, std::numeric_limits<double>::quiet_NaN());
     scans.insert(scans.begin() + static_cast<std::ptrdiff_t>(first), 12, blank);

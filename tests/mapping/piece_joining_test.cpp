@@ -17,7 +17,7 @@ using testing::drive;
 using testing::spaced;
 using testing::Wall;
 
-/// A piece of track: its own odom frame, in which the map's heading is not known either.
+/// A piece of track: its own odom frame, in which the map's heading is unknown, too.
 struct Piece {
   std::vector<Wall> walls;
   std::vector<Pose2> T_world_sensor;
@@ -30,7 +30,7 @@ struct PiecedTrack {
   std::vector<Pose2> T_map_sensor;
 };
 
-/// Pieces one after the other. Each scan has noise of its own.
+/// Pieces one after the other. Each scan has independent noise.
 PiecedTrack lay_out(const std::vector<Piece>& pieces) {
   PiecedTrack all;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
@@ -97,7 +97,7 @@ TEST(PieceJoining, WhatHasNothingInCommonStaysApart) {
   EXPECT_EQ(joined.turn_rad[1], 0.0);
 }
 
-/// Two rooms alike, door to door, and nothing that tells them apart.
+/// Two equal rooms, door to door, and nothing that distinguishes them.
 std::vector<Wall> twin_rooms() {
   std::vector<Wall> walls = testing::l_shaped_room();
   const std::vector<Wall> twin = testing::moved(walls, {40.0, 0.0, 0.0});
@@ -106,7 +106,7 @@ std::vector<Wall> twin_rooms() {
 }
 
 TEST(PieceJoining, OfTwoRoomsThatAreAlikeItTakesNeither) {
-  // The first piece has been in both; the second is in one of them, and nobody can tell in which.
+  // The first piece has been in both; the second is in one of them, and it is unknown in which.
   std::vector<Pose2> in_both = round_the_room();
   for (const Pose2& pose : round_the_room()) in_both.push_back(Pose2{40.0, 0.0, 0.0} * pose);
   const PiecedTrack pieced = lay_out(

@@ -107,7 +107,7 @@ TEST_F(RegistrationInRoom, RevisitedPlacesTieTwoVisitsToEachOther) {
   for (std::size_t k = 0; k < 2 * n; ++k) graph.headings.push_back({k, truth[k].theta_rad, 1e5});
   std::vector<Constraint> closures;
   for (std::size_t k = 5; k + 5 < n; k += 10) {
-    Constraint closure;  // that tells nothing but which keyframes to compare
+    Constraint closure;  // that only names the keyframes to compare
     closure.from = k;
     closure.to = n + k;
     closure.information.setZero();
@@ -142,7 +142,7 @@ TEST_F(RegistrationInRoom, AClosureThatNoComparisonReplacesStands) {
               PoseNear(Pose2{}, PoseTolerance{.translation_m = 0.005, .rotation_rad = 0.002}));
 }
 
-TEST_F(RegistrationInRoom, AnotherStretchBesideARevisitedPlaceIsNotCompared) {
+TEST_F(RegistrationInRoom, AnotherStretchNextToARevisitedPlaceIsNotCompared) {
   // The second visit ends with its keyframe n + 5; what follows is of a stretch that nothing joins.
   const std::size_t n = truth_.size();
   const std::vector<Pose2> truth = twice(truth_);

@@ -52,7 +52,7 @@ Map map_of_corridor(bool has_odometry) {
   return mapper.finish();
 }
 
-TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
+TEST(TrackCertainty, ABareCorridorIsReportedWithItsDirectionAndItsHeadingIsRight) {
   const Map track = map_of_corridor(false);
   const std::vector<OpenStretch> stretches = open_stretches(track);
   ASSERT_FALSE(stretches.empty());
@@ -61,7 +61,7 @@ TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
     way_m += stretch.way_m;
     EXPECT_FALSE(stretch.has_odometry);
     EXPECT_NEAR(wrap_to_period(stretch.direction_rad, kPi), 0.0, rad_from_deg(2.0));
-    // A share of the way, not millimetres: nobody has seen it.
+    // A share of the way, not millimetres: no scan has seen it.
     EXPECT_GT(stretch.length_sigma_m, 0.02 * stretch.way_m);
   }
   EXPECT_GT(way_m, 8.0) << "from where neither room is seen until the other one is";
@@ -70,7 +70,7 @@ TEST(TrackCertainty, ABareCorridorIsToldWithItsDirectionAndItsHeadingIsRight) {
   }
 }
 
-TEST(TrackCertainty, OdometryTellsTheLength) {
+TEST(TrackCertainty, OdometryDeterminesTheLength) {
   const auto worst_sigma_m = [](const Map& track) {
     double worst_m = 0.0;
     for (const OpenStretch& stretch : open_stretches(track)) {

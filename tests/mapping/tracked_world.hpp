@@ -15,7 +15,7 @@ namespace setsquare::testing {
 
 inline constexpr Fan kAllAround{360, -kPi, kTwoPi / 360.0};
 
-/// Some of a drive's poses: each at least so far, or turned so far, from the one before.
+/// Some of a drive's poses: each at least this far, or turned this far, from the one before.
 inline std::vector<Pose2> spaced(const std::vector<Pose2>& poses,
                                  double distance_m = 0.4,
                                  double turn_rad = rad_from_deg(10.0)) {
@@ -28,7 +28,7 @@ inline std::vector<Pose2> spaced(const std::vector<Pose2>& poses,
   return kept;
 }
 
-/// A keyframe, and nothing of its neighbours.
+/// A single keyframe without its neighbours.
 inline KeyframePtr make_keyframe(const Scan& scan, const Pose2& T_odom_sensor, std::size_t index) {
   return std::make_shared<Keyframe>(Keyframe{.scan_index = index,
                                              .T_odom_sensor = T_odom_sensor,
@@ -59,7 +59,7 @@ inline KeyframeTrack track_in_world(const std::vector<Wall>& walls,
 }
 
 /// A corridor 2 m wide around a block of 12 m x 8 m, its outer walls 16 m x 12 m from (0, 0), with
-/// niches and posts that tell its sides and corners apart.
+/// niches and posts that distinguish its sides and corners.
 inline std::vector<Wall> corridor_around_a_block() {
   return {{0.0, 0.0, 16.0, 0.0},   {16.0, 0.0, 16.0, 12.0}, {16.0, 12.0, 0.0, 12.0},
           {0.0, 12.0, 0.0, 0.0},   {2.0, 2.0, 14.0, 2.0},   {14.0, 2.0, 14.0, 10.0},

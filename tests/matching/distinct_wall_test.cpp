@@ -70,7 +70,7 @@ TEST(DistinctWall, IsNothingWhereNothingLiesOnTheOther) {
 
 TEST(DistinctWall, IsOfARoomMuchMoreThanOfACorner) {
   auto generator = testing::make_generator();
-  // Half a metre a line, a little more where a return lies beside its wall.
+  // Half a metre per line, a little more where a return lies off its wall.
   const double corner_m = distinct_from(kCorner, {3.0, 2.0, 0.0});
   EXPECT_GE(corner_m, 0.99);
   EXPECT_LE(corner_m, 1.3);

@@ -119,7 +119,7 @@ TEST(WithoutDirection, IsSingularThereAndAsItWasAcross) {
 
 /// Errors of matched pairs, as the information sees them.
 struct Claims {
-  std::vector<double> nees;  ///< Error' information error: 3 on average where it tells the truth.
+  std::vector<double> nees;  ///< Error' information error: 3 on average where it is right.
 
   [[nodiscard]] double mean() const {
     double sum = 0.0;

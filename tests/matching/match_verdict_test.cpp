@@ -67,7 +67,7 @@ void set_score(Case& c, double score, double runner_up_score) {
   c.runner_up_score = runner_up_score;
 }
 
-/// A different pose that explains so much and of which so much is contradicted.
+/// A different pose, with this much agreeing and this much contradicted wall.
 void set_rival(Case& c, double agreeing_m, double contradicted_m) {
   c.candidates[1].evidence.agreeing_m = agreeing_m;
   c.candidates[1].evidence.contradicted_m = contradicted_m;
@@ -150,7 +150,7 @@ INSTANTIATE_TEST_SUITE_P(
              [](Case& c) { set_rival(c, 9.0, 9.0 * 0.0674 / (1 - 0.0674)); },
              [](Case& c) { set_rival(c, 9.0, 9.0 * 0.0654 / (1 - 0.0654)); },
              kAmbiguous},
-        Rule{"rival_contradiction_m",  // Of a rival with so much wall that the share stays small.
+        Rule{"rival_contradiction_m",  // Of a rival with enough wall to keep the share small.
              [](Case& c) { set_rival(c, 200.0, 2.3); },
              [](Case& c) { set_rival(c, 200.0, 2.1); },
              kAmbiguous},
@@ -214,7 +214,7 @@ Eigen::Matrix3d hessian_of(const std::vector<FacingWall>& walls) {
   return hessian;
 }
 
-TEST(WallConstraint, TellsTheWeakestDirectionAndItsWall) {
+TEST(WallConstraint, GivesTheWeakestDirectionAndItsWall) {
   // Long walls face y at x = -2, 2; short ones face x at y = -1, 1.
   const std::vector<FacingWall> walls{{4.0, {-2, 1.5}, -0.5 * kPi},
                                       {4.0, {2, 1.5}, -0.5 * kPi},

@@ -41,7 +41,7 @@ TEST(HonestMatch, ACorridorHasExactlyOneDegenerateDirectionAlongIt) {
     const double along_rad = -T_world_reference.theta_rad;
     EXPECT_NEAR(
         wrap_to_period(*result.degenerate_direction_rad - along_rad, kPi), 0.0, rad_from_deg(2.0));
-    // The information knows it too: next to nothing along, plenty across and in rotation.
+    // The information shows it, too: almost nothing along, plenty across and in rotation.
     Eigen::Matrix3d to_corridor = Eigen::Matrix3d::Identity();
     to_corridor.topLeftCorner<2, 2>() =
         Eigen::Rotation2Dd(T_world_reference.theta_rad).toRotationMatrix();
@@ -93,7 +93,7 @@ TEST(HonestMatch, AnOpenFieldHasTooFewPoints) {
   }
 }
 
-TEST(HonestMatch, ARoundRoomTellsNoHeading) {
+TEST(HonestMatch, ARoundRoomDeterminesNoHeading) {
   const auto room = testing::regular_polygon(240, 3.0);
   auto generator = testing::make_generator();
   for (int trial = 0; trial < 10; ++trial) {
@@ -102,7 +102,7 @@ TEST(HonestMatch, ARoundRoomTellsNoHeading) {
           uniform(generator, -1, 1), uniform(generator, -1, 1), uniform(generator, -3, 3)};
       return scan_of_walls(room, T, kFullTurn, 0.01, seed);
     };
-    // The rotation is what nothing holds, so no direction is told.
+    // Only the rotation is unbound, so no direction is reported.
     const MatchResult result = match(scan(1), scan(2));
     EXPECT_TRUE(result.status == MatchStatus::kDegenerate ||
                 result.status == MatchStatus::kAmbiguous)
@@ -177,7 +177,7 @@ std::vector<testing::Wall> row_of_pilasters() {
   return walls;
 }
 
-// Half way between two answers: neither stands, and the twin is told.
+// Half way between two answers: neither is accepted, and the twin is reported.
 TEST(HonestMatch, ATwinInARowIsTheRunnerUp) {
   auto generator = testing::make_generator();
   for (int trial = 0; trial < 20; ++trial) {
@@ -215,8 +215,8 @@ TEST(HonestMatch, ARegularHexagonIsNotMatchedToAnyOfItsTurns) {
   }
 }
 
-// A rectangle's corner looks like another's: from half a turn's view such rooms cannot be told
-// apart. A full turn's view shows the room's size, and then a match of two rooms is rare.
+// The corners of two rectangles look the same: half a turn's view cannot distinguish such rooms.
+// A full turn's view shows the room's size, and then a match of two rooms is rare.
 TEST(HonestMatch, RoomsThatHaveNothingInCommonAreSeldomMatched) {
   auto generator = testing::make_generator();
   int num_matched = 0;

@@ -140,7 +140,7 @@ TEST_P(Match, DoesNotDependOnTheBeamsOrder) {
                        PoseTolerance{.translation_m = 0.003, .rotation_rad = 0.001}));
 }
 
-TEST_P(Match, TellingEveryBeamTwiceChangesLittle) {
+TEST_P(Match, RepeatingEveryBeamChangesLittle) {
   const auto doubled = [](const Scan& scan) {
     Scan twice = scan;
     twice.bearing_step_rad = 0.5 * scan.bearing_step_rad;

@@ -40,7 +40,7 @@ void expect_sound(const MatchResult& result) {
     EXPECT_GE(share, 0.0);
     EXPECT_LE(share, 1.0 + 1e-6);
   }
-  // A degenerate answer may lack the direction: where it is the rotation that nothing holds.
+  // A degenerate answer may lack the direction: where the rotation is what is open.
   EXPECT_TRUE(result.status == MatchStatus::kDegenerate || !result.degenerate_direction_rad);
   ASSERT_TRUE(result.information.allFinite());
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(result.information);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // Many random pairs in furnished rooms: how often the matcher is right, and whether its information
-// tells how right.
+// matches its errors.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ Tally match_random_pairs(const testing::Fan& fan, double min_overlap, int num_pa
   return tally;
 }
 
-// Bounds for any seed; the figures of ten seeds are beside them.
+// Bounds for any seed; the figures of ten seeds are next to them.
 TEST(RandomRooms, ScansThatShareMostOfWhatTheySeeAreMatched) {
   const testing::Fan full_turn{720, rad_from_deg(-180), rad_from_deg(0.5)};
   const Tally tally = match_random_pairs(full_turn, 0.6, 150);

@@ -20,7 +20,7 @@ using State = Vector5;
 
 Pose2 pose_of(const State& state) { return {state(0), state(1), state(2)}; }
 
-/// One sample of scan b against scan a, in double precision and plain words.
+/// One sample of scan b against scan a, in double precision and plain code.
 struct PlainSample {
   const SweptScan& a;
   const SweptScan& b;

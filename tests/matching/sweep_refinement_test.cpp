@@ -92,7 +92,7 @@ TEST(SweepRefinement, FindsThePoseAtTheMiddleOfTurningSweeps) {
             << " deg; turns off by " << turn_error << "\n";
   EXPECT_LT(error.translation_m, 0.5 * rigid_error.translation_m);
   EXPECT_LT(error.rotation_rad, rigid_error.rotation_rad);
-  // What both sweeps turn alike hardly shows where they see alike.
+  // A turn that both sweeps share hardly shows where both see the same.
   EXPECT_LT(turn_error, 0.003);
 }
 

@@ -41,7 +41,7 @@ void expect_recovered(const Fan& fan, const Pose2& T_reference_current) {
 TEST(PaperMatcher, RecoversScansTurnedAnyWay) {
   for (int turn_deg = 0; turn_deg < 360; turn_deg += 15) {
     SCOPED_TRACE(turn_deg);
-    // Each component of its own size and sign: every sign of eq. (8) counts.
+    // Each component has its own size and sign: every sign of eq. (8) counts.
     const Pose2 T_reference_current{0.62, -0.31, wrap_to_pi(rad_from_deg(turn_deg + 2.0))};
     expect_recovered(kFullTurn, T_reference_current);
     expect_recovered(kClockwise, T_reference_current);

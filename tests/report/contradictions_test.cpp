@@ -22,7 +22,7 @@ TEST(Contradictions, AreThePointsBeforeTheWalls) {
   EXPECT_NEAR((T_room_sensor * found[0] - Eigen::Vector2d(7.0, 5.0)).norm(), 0.0, 1e-9);
 }
 
-TEST(Contradictions, BeamsThatTellNothingContradictNothing) {
+TEST(Contradictions, BeamsWithoutInformationContradictNothing) {
   Scan scan = testing::scan_of_room({4.0, 3.0, 0.0}, 10.0, 8.0, 360);
   PointSet points;
   points.push_back(1.0, 0.0, 0);

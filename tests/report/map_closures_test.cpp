@@ -18,7 +18,7 @@ Timestamp at_second(int second) { return timestamp_from_seconds(second); }
 constexpr double kHalfPixel_m = 0.0125;  // lines meet pixels' middles
 
 /// A robot that drives 20 m along y = 5 m and back along y = 15 m in an open room of 30 m x 20 m,
-/// one pose a metre and a second.
+/// one pose per metre and per second.
 class ClosedLoop : public ::testing::Test {
  protected:
   void SetUp() override {
@@ -82,7 +82,7 @@ TEST_F(ClosedLoop, RefusedOnesAndThoseOfUnknownStampsAreLeftOut) {
 }
 
 TEST_F(ClosedLoop, AClosureIsALineAcrossTheRoomInItsKindsColour) {
-  // 2 pixels a cell, 40 a metre: the line is 400 long, its legend is far below the room.
+  // 2 pixels per cell, 40 per metre: the line is 400 long, its legend is far below the room.
   const std::int64_t without = count(picture({}), palette::kClosure);
   EXPECT_EQ(without, 0);
   EXPECT_GT(count(picture({closure(3)}), palette::kClosure), 350);

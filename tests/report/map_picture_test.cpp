@@ -14,7 +14,8 @@
 
 namespace setsquare::map_picture_test {
 
-/// A floor plan, its first line the highest row: '#' wall, '.' free, ' ' unknown. One cell a metre.
+/// A floor plan, its first line the highest row: '#' wall, '.' free, ' ' unknown. One cell per
+/// metre.
 OccupancyGrid grid_from_plan(const std::vector<std::string>& plan, const Pose2& T_map_grid = {}) {
   const auto num_rows = static_cast<std::int32_t>(plan.size());
   const auto num_columns = static_cast<std::int32_t>(plan.front().size());
@@ -35,7 +36,7 @@ const std::vector<std::string> kPlan = {"#####  ",  //
                                         "#.....#",
                                         "#######"};
 
-/// No margin, no footer, one pixel a cell: the plan as it is.
+/// No margin, no footer, one pixel per cell: the plan as it is.
 const MapPictureParams kBare = {
     .min_side_px = 1, .margin_m = 0.0, .has_scale_bar = false, .has_legend = false};
 
@@ -97,7 +98,7 @@ TEST(MapPicture, PathLiesWhereTheRobotWasThoughTheGridIsAskew) {
   const OccupancyGrid grid = grid_from_plan(kPlan, T_map_grid);
   const Pose2 T_grid_base{2.5, 1.5, 0.0};
   MapPictureParams params = kBare;
-  params.min_side_px = 28;  // four pixels a cell
+  params.min_side_px = 28;  // four pixels per cell
   const Trajectory standing(2, {{}, T_map_grid * T_grid_base});
   const Image image = map_picture(grid, standing, params);
   ASSERT_EQ(image.width_px(), 28);
@@ -176,7 +177,7 @@ TEST(MapPicture, ScaleBarHasARoundLength) {
   OccupancyGrid grid({}, 0.05, 1000, 600);
   std::fill(grid.values().begin(), grid.values().end(), -2.0F);
   const Image image = map_picture(grid, {}, {.margin_m = 0.0, .has_legend = false});
-  // One pixel a cell, so 10 m are 200 pixels, and the bar has a rim of 1.5.
+  // One pixel per cell, so 10 m are 200 pixels, and the bar has a rim of 1.5.
   int longest_run = 0;
   for (int row = 600; row < image.height_px(); ++row) {
     int run = 0;

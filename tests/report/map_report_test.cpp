@@ -135,12 +135,12 @@ TEST(MapReport, HoldsOnlyTheScansThatClosuresShowAndEachOnce) {
 }
 
 TEST(MapReport, IsSmallForAnHourOfDriving) {
-  // 15,000 poses, 5,000 closures, 600 scans of 180 points: 54 bytes a pose and closure in doubles
+  // 15,000 poses, 5,000 closures, 600 scans of 180 points: 54 bytes per pose and closure in doubles
   // alone would be 1.1 MB, the points 1.7 MB.
   EXPECT_LT(map_report_html(report_of(drive(15000, 5000, 180))).size(), 850'000U);
 }
 
-TEST(MapReportImage, TellsOccupiedUnknownAndFree) {
+TEST(MapReportImage, ShowsOccupiedUnknownAndFree) {
   OccupancyGrid grid({1.0, 2.0, 0.3}, 0.5, 6, 5);
   grid.values()[grid.index({2, 1})] = 3.0F;
   grid.values()[grid.index({4, 3})] = -3.0F;

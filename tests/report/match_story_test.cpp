@@ -49,7 +49,7 @@ TEST(PaperScan, CurveProfilesAndThinningBelongTogether) {
   EXPECT_GT(peak(scan.along), 3 * peak(scan.off));
 }
 
-TEST(PaperStory, TellsTheFourOffsetsAndTheMatchersOwnAnswer) {
+TEST(PaperStory, ShowsTheFourOffsetsAndTheMatchersOwnAnswer) {
   const MatchStory story = tell_paper_match(half_scan(kReference), half_scan(kCurrent), {});
   ASSERT_TRUE(story.result.T_reference_current.has_value());
   ASSERT_EQ(story.proposals.size(), 4U);
@@ -67,7 +67,7 @@ TEST(PaperStory, TellsTheFourOffsetsAndTheMatchersOwnAnswer) {
   }
 }
 
-TEST(DefaultStory, TellsTheMatchersOwnAnswerAndTheLosers) {
+TEST(DefaultStory, ShowsTheMatchersOwnAnswerAndTheLosers) {
   const MatchStory story = tell_default_match(half_scan(kReference), half_scan(kCurrent), {});
   ASSERT_TRUE(story.result.T_reference_current.has_value());
   ASSERT_GE(story.proposals.size(), 2U);
@@ -120,7 +120,7 @@ TEST(VerdictRules, ComeToTheMatchersOwnVerdict) {
   EXPECT_GE(met.size(), 3U);
 }
 
-TEST(Story, ScansWithoutReturnsAreToldToo) {
+TEST(Story, ScansWithoutReturnsAreShownToo) {
   Scan empty = half_scan(kReference);
   for (double& range_m : empty.ranges_m) range_m = 81.83;
   for (const MatchStory& story : {tell_paper_match(empty, half_scan(kCurrent), {}),

@@ -36,7 +36,7 @@ TEST(NiceTicks, AreRoundWithinTheRangeAndNotTooMany) {
   }
 }
 
-TEST(DecimalsForStep, TellNeighboursApart) {
+TEST(DecimalsForStep, DistinguishNeighbours) {
   EXPECT_EQ(decimals_for_step(5.0), 0);
   EXPECT_EQ(decimals_for_step(1.0), 0);
   EXPECT_EQ(decimals_for_step(0.5), 1);

@@ -84,7 +84,7 @@ TEST(OdometryModel, NoiseGrowsWithTheRootOfTheWayHoweverFinelySampled) {
   params.turn_noise_rad_per_sqrt_m = 0.0005;
   for (const int num_steps : {1, 10, 100}) {
     const auto [distance_m, heading_rad] = deviations(params, num_steps);
-    // Twice a deviation after four times the way; 2000 runs tell it to 5 % at three sigma.
+    // Twice a deviation after four times the way; 2000 runs measure it to 5 % at three sigma.
     EXPECT_NEAR(distance_m, 0.02, 0.001) << num_steps;
     EXPECT_NEAR(heading_rad, 0.001, 0.00005) << num_steps;
   }

@@ -146,7 +146,7 @@ TEST(PairGeometryTest, ARoomIsDetermined) {
   EXPECT_TRUE(geometry.is_determined());
 }
 
-TEST(PairGeometryTest, ARoundHallDoesNotTellRotationHoweverManySides) {
+TEST(PairGeometryTest, ARoundHallDoesNotDetermineRotationHoweverManySides) {
   for (const int num_corners : {20, 36, 64, 300}) {
     const RayCaster caster(polygon_plan(num_corners, 4.0));
     const ScannerModel scanner = with_field_of_view(utm_30lx(), kTwoPi);

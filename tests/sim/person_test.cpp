@@ -45,7 +45,7 @@ TEST(LegsTest, LegsNeverJumpNorTouch) {
   EXPECT_GT(widest_m, 0.4) << "a stride";
 }
 
-TEST(LegsTest, WhoStandsStands) {
+TEST(LegsTest, AStandingPersonStaysInPlace) {
   const std::vector<Person> people{{{1.0, 1.0}, {1.0, 1.0}}, {{0.0, 0.0}, {5.0, 0.0}, 0.0}};
   const auto early = legs_at(people, 0.0);
   const auto late = legs_at(people, 33.3);

@@ -25,11 +25,11 @@ namespace setsquare::testing {
 /// Two wings that meet at 60 deg with a few boxes in them: three wall families, not square.
 [[nodiscard]] std::vector<Wall> oblique_room();
 
-/// No two walls parallel, with clutter: seven corners, a box askew and two short screens.
+/// No two walls parallel, with clutter: seven corners, an oblique box and two short screens.
 [[nodiscard]] std::vector<Wall> irregular_room();
 
 /// A rectangle of 6 to 9 m by 5 to 8 m with a niche and six pieces of furniture of random size and
-/// place, two of them askew.
+/// place, two of them oblique.
 struct FurnishedRoom {
   std::vector<Wall> walls;
   double width_m = 0.0;

@@ -16,7 +16,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using testing::uniform;
 
-/// One sample against one scan, in double precision and plain words.
+/// One sample against one scan, in double precision and plain code.
 struct PlainSample {
   Evidence evidence;
   double weight = 0.0;      ///< Of the residual: length of wall by Tukey's biweight and by facing.
@@ -127,7 +127,7 @@ struct Pair {
   Pose2 T_reference_current;
 };
 
-/// Two scans of one room, and a pose some centimetres and degrees beside the truth.
+/// Two scans of one room, and a pose some centimetres and degrees off the truth.
 Pair random_pair(std::mt19937_64& generator) {
   const auto room = testing::furnished_room(generator);
   const Pose2 T_world_reference = testing::free_pose(room, generator);

@@ -19,7 +19,7 @@ using testing::uniform;
 
 const Fan kFullTurn{720, -kPi, rad_from_deg(0.5)};
 
-/// The same beams told in the other order.
+/// The same beams in the other order.
 Scan reversed(const Scan& scan) {
   Scan reversed = scan;
   reversed.first_bearing_rad = scan.bearing_rad(scan.num_beams() - 1);

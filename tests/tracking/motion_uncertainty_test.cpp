@@ -72,7 +72,7 @@ TEST(MotionUncertainty, AnOpenDirectionCountsAlongItselfOnly) {
 }
 
 TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
-  // The same way in one scan or in eight: neighbouring scans err alike.
+  // The same way in one scan or in eight: errors of neighbouring scans are correlated.
   std::vector<TrackedPose> many = {at({})};
   for (int i = 1; i <= 8; ++i) many.push_back(open_along(0.3, {0.05 * i, 0.0, 0.0}));
   const MotionCovariance in_eight = covariance_of(many);
@@ -80,7 +80,7 @@ TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
   EXPECT_TRUE(in_eight.translation_m2.isApprox(in_one.translation_m2, 1e-9));
 }
 
-TEST(MotionUncertainty, OdometryIsAWitness) {
+TEST(MotionUncertainty, OdometryReducesTheUncertainty) {
   TrackedPose restart = at({0.4, 0.0, 0.1}, TrackStatus::kLost);
   restart.is_restart = true;
   for (const TrackedPose& scan :
@@ -90,7 +90,7 @@ TEST(MotionUncertainty, OdometryIsAWitness) {
     EXPECT_LT(with.translation_m2.trace(), without.translation_m2.trace());
     EXPECT_LE(with.rotation_rad2, without.rotation_rad2);
   }
-  // Where the walls tell all it changes nothing.
+  // Where the walls determine the whole motion it changes nothing.
   const MotionCovariance with = covariance_of({at({}), at({0.4, 0.0, 0.1})}, true);
   const MotionCovariance without = covariance_of({at({}), at({0.4, 0.0, 0.1})}, false);
   EXPECT_EQ(with.translation_m2, without.translation_m2);
@@ -122,7 +122,7 @@ TEST(MotionUncertainty, OdometryBridgesANewStartOnlyWhereItNeverPaused) {
   }
 }
 
-TEST(MotionUncertainty, TakingStartsAnew) {
+TEST(MotionUncertainty, TakingRestartsTheSum) {
   MotionUncertainty uncertainty(kParams);
   uncertainty.add(at({}));
   uncertainty.add(at({1.0, 0.0, 0.0}, TrackStatus::kLost));

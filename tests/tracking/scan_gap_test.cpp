@@ -74,7 +74,7 @@ TEST(ScanGap, AStampThatJumpsBackMakesNoneOnTheWayForward) {
   }
 }
 
-TEST(ScanGap, AStampThatJumpsBackAtFirstTellsNoUsualPause) {
+TEST(ScanGap, AStampThatJumpsBackAtFirstGivesNoUsualPause) {
   ScanGap gap({});
   for (const double stamp_s : {10.0, 6.0, 10.2, 10.4, 10.6})
     EXPECT_FALSE(gap.add(scan_at(stamp_s)));

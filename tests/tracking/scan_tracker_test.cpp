@@ -164,7 +164,7 @@ TEST(ScanTracker, BlankScansAtTheStartCostNoOther) {
   }
 }
 
-TEST(ScanTracker, AfterBlankScansAtTheStartTheOdometryTellsWhereTheSubmapBegins) {
+TEST(ScanTracker, AfterBlankScansAtTheStartTheOdometryDeterminesWhereTheSubmapBegins) {
   const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.5, 1.5}});
   std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
   for (std::size_t i = 0; i < 10; ++i) make_blank(scans[i]);
@@ -188,7 +188,7 @@ TEST(ScanTracker, BlankScansOnTheWayCostNoOther) {
   }
 }
 
-TEST(ScanTracker, StartsAnewWhereItStaysLost) {
+TEST(ScanTracker, RestartsWhereItStaysLost) {
   const std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
   std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
   // Carried into another building.
@@ -207,7 +207,7 @@ TEST(ScanTracker, StartsAnewWhereItStaysLost) {
   EXPECT_NE(tracked.back().status, TrackStatus::kLost);
 }
 
-TEST(ScanTracker, AMotionThatWasLostDoesNotGoOnBehindANewStart) {
+TEST(ScanTracker, AMotionThatWasLostDoesNotContinueAfterARestart) {
   const std::vector<Pose2> truth = drive({{1.5, 1.5}, {5.0, 1.5}});
   std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
   const std::size_t carried_at = 60;  // At full speed.

@@ -37,7 +37,7 @@ inline std::vector<Pose2> drive(const std::vector<Eigen::Vector2d>& waypoints,
   return poses;
 }
 
-/// One scan a pose, 0.1 s apart, each with noise of its own.
+/// One scan per pose, 0.1 s apart, each with independent noise.
 inline std::vector<Scan> scans_on_drive(const std::vector<Wall>& walls,
                                         const std::vector<Pose2>& T_world_sensor,
                                         double noise_m,

@@ -14,7 +14,7 @@
 namespace setsquare::app {
 namespace {
 
-/// The whole text as a number; nothing where it is none or does not fit.
+/// The whole text as a number; nothing where it is not a number or does not fit.
 template <typename Number>
 std::optional<Number> number_from_text(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);

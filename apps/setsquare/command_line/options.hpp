@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What the options of all subcommands have in common: checks that speak plainly, and names of
+// What the options of all subcommands have in common: checks with plain messages, and names of
 // choices.
 #pragma once
 
@@ -29,7 +29,7 @@ namespace setsquare::app {
 /// Refuses what is not a number from -high to high other than 0.
 [[nodiscard]] CLI::Validator number_not_zero(double high);
 
-/// Refuses what is none of the names, whatever its case; as a transform it gives the name as it is
+/// Refuses anything but the names, in any case; as a transform it gives the name as it is
 /// written here.
 [[nodiscard]] CLI::Validator one_of(std::vector<std::string> names);
 

@@ -119,7 +119,7 @@ class NamedCommand {
   }
 
   [[nodiscard]] const CLI::App& command() const { return *command_; }
-  /// The word in a subcommand's place that is none; empty where there is none.
+  /// The word in a subcommand's place that is not a subcommand; empty where there is no such word.
   [[nodiscard]] const std::string& unknown() const { return unknown_; }
   /// Whether a subcommand is needed and the line ends before it.
   [[nodiscard]] bool is_cut() const {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from main.cpp: what the command says to words that it does not know, and its help.
+// Apart from main.cpp: the errors for unknown words, and the help.
 #pragma once
 
 #include <CLI/App.hpp>

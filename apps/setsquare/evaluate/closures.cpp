@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare evaluate closures` and `evaluate chains`: which loop closures are wrong, and whether
-// the chains of relations that say so are to be believed.
+// the chains of relations that say so are reliable.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -133,7 +133,7 @@ Json json_of_doubtful(std::span<const LoopClosure> closures,
   return list;
 }
 
-/// The same, one a line with tabs, under a header line.
+/// The same, one per line, tab-separated, under a header line.
 std::string list_of_doubtful(std::span<const LoopClosure> closures,
                              std::span<const ClosureJudgement> judgements) {
   std::string text =
@@ -156,10 +156,10 @@ std::string list_of_doubtful(std::span<const LoopClosure> closures,
 /// What a file of ground truth holds.
 enum class ReferenceKind { kRelations, kTrajectory };
 
-/// Tells the two apart by their content, for both are eight numbers a line: a trajectory (TUM)
-/// where the last four of every line are a unit quaternion, relations where those of at most half
-/// the lines are. Throws FileError; FormatError where a line is not eight numbers, or where it is
-/// neither.
+/// Distinguishes the two by their content, since both are eight numbers per line: a trajectory
+/// (TUM) where the last four of every line are a unit quaternion, relations where those of at most
+/// half the lines are. Throws FileError; FormatError where a line is not eight numbers, or where it
+/// is neither.
 ReferenceKind reference_kind(const std::string& path) {
   constexpr double kUnitTolerance = 1e-3;
   if (path == "-") throw Error("standard input as reference: say --reference-kind");
@@ -182,7 +182,7 @@ ReferenceKind reference_kind(const std::string& path) {
 struct ClosuresOptions {
   std::string closures_path;
   std::string reference_path;
-  std::string trajectory_path;  // empty: trajectory.tum beside the closures
+  std::string trajectory_path;  // empty: trajectory.tum in the folder of the closures
   std::optional<ReferenceKind> kind;
   double max_time_difference_s = 0.0;
   bool is_list = false;
@@ -269,7 +269,7 @@ struct ChainsOptions {
   bool is_json = false;
 };
 
-/// Chains are judged by relations that close a loop in time: a file without any says nothing.
+/// Chains are judged by relations that close a loop in time: a file without any cannot check them.
 void require_chained(const ChainCheck& check, const ChainsOptions& options) {
   const ChainCheckParams params;
   if (check.verdicts.num_closures > 0) return;

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What `setsquare evaluate` compares. A header of its own, for each of these stands in another file
+// What `setsquare evaluate` compares. A separate header, since each of these is in another file
 // than the command that gathers them.
 #pragma once
 

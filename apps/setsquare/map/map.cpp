@@ -32,16 +32,15 @@ double seconds_of(const StageClock& clock) {
   return sum_s;
 }
 
-/// What the map does not know, a line each.
+/// What the map leaves out and where it is uncertain, one line each.
 void tell_doubts(const MapSummary& summary) {
   if (summary.num_unjoined_pieces > 0) {
-    std::cout << "not known where: " << summary.num_unjoined_pieces << " pieces of track, "
-              << summary.num_unjoined_scans
-              << " scans, that tracking lost and no place joined; the map leaves them out\n";
+    std::cout << "left out: " << summary.num_unjoined_pieces << " pieces of track, "
+              << summary.num_unjoined_scans << " scans, that could not be joined to the map\n";
   }
   if (summary.open_m == 0.0) return;
   std::cout << fmt::format(
-      "not seen by the walls: {:.0f} m along bare corridors; the least certain stretch is known to "
+      "bare corridors: {:.0f} m without walls across; the least certain stretch is known to "
       "{:.2f} m (sigma)\n",
       summary.open_m,
       summary.worst_length_sigma_m);

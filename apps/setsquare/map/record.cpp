@@ -56,7 +56,7 @@ Json json_if(const std::optional<double>& value, double unit) {
   return value ? Json(rounded(unit * *value)) : Json();
 }
 
-/// The options of the command that decide what the map is; --preset and --frame stand beside.
+/// The options of the command that decide what the map is; --preset and --frame are recorded apart.
 Json json_of_options(const MapOptions& options) {
   const double degrees = deg_from_rad(1.0);
   return {{"odometry", options.uses_odometry},

@@ -7,8 +7,8 @@
 
 namespace setsquare::app {
 
-/// What run.json holds of a run of the command beside its map: the log, the options, the parameters
-/// that decide most.
+/// What run.json records of a run of the command, apart from its map: the log, the options, the
+/// parameters that decide most.
 [[nodiscard]] RunRecord record_of(const MapOptions& options, const MapRun& run);
 
 }  // namespace setsquare::app

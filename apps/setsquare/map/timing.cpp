@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 /// Times are measured to about a microsecond.
 double rounded_to_us(double seconds) { return std::round(seconds * 1e6) / 1e6; }
 
-/// As the system calls it; "unknown" where it does not.
+/// The system's name for it; "unknown" where it has none.
 std::string processor_name() {
   std::ifstream cpuinfo("/proc/cpuinfo");
   for (std::string line; std::getline(cpuinfo, line);) {

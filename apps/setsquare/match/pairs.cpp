@@ -74,12 +74,12 @@ std::string table_line(const Scan& reference, const Scan& current, const PairOut
       outcome.elapsed_us);
 }
 
-/// "NAME.overlap" beside "NAME.relations".
+/// "NAME.overlap" in the folder of "NAME.relations".
 std::string overlap_path_beside(const std::string& relations_path) {
   return std::filesystem::path(relations_path).replace_extension(".overlap").string();
 }
 
-/// The overlaps beside the relations; none where there is no such file.
+/// The overlaps that belong to the relations; none where there is no such file.
 std::vector<PairOverlap> overlaps_beside(const std::string& relations_path, std::size_t num_pairs) {
   const std::string path = overlap_path_beside(relations_path);
   if (!std::filesystem::exists(path)) return {};

@@ -10,7 +10,7 @@
 namespace setsquare::app {
 namespace {
 
-/// Tells the waiting thread that it is over.
+/// Makes the waiting thread end.
 constexpr int kWake = SIGUSR1;
 
 sigset_t awaited_signals() {
@@ -32,7 +32,7 @@ void end_by(int signal) {
   ::sigaddset(&only, signal);
   ::pthread_sigmask(SIG_UNBLOCK, &only, nullptr);
   ::raise(signal);
-  std::_Exit(128 + signal);  // where somebody handles it and returns
+  std::_Exit(128 + signal);  // where a handler of the signal returns
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace setsquare::app {
 /// as they do without it, so that a shell sees the signal. A signal that the process was started
 /// to ignore (nohup) stays ignored.
 ///
-/// A thread of its own waits for the signals, so that `clean` may do whatever a function may; the
+/// A separate thread waits for the signals, so that `clean` may do whatever a function may; the
 /// other threads, if they were started later, never receive them.
 class EndingSignals {
  public:

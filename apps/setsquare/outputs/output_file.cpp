@@ -22,7 +22,7 @@ namespace {
   throw FileError(path, "cannot be written: " + reason);
 }
 
-/// A file is replaced by another one, so its folder must be writable; a device or a pipe itself.
+/// A file is replaced, so its folder must be writable; a device or a pipe must itself be writable.
 void require_writable(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;

@@ -18,7 +18,7 @@ namespace setsquare::app {
 ///   outputs.add("run.json", bytes);   // ... and the others: kept aside, in `.setsquare-new`
 ///   outputs.commit();
 ///
-/// commit() renames, for a set of files cannot be replaced at once:
+/// commit() renames, since a set of files cannot be replaced at once:
 ///
 /// 1. `.setsquare-new` becomes `.setsquare-whole`: from here on the new set stands, whatever comes.
 /// 2. The files of the last set go, the one named last first; `.setsquare-whole` becomes
@@ -63,7 +63,7 @@ class OutputSet {
   void refuse(const InputPaths& inputs) const;
   void begin();
   void finish_commit();
-  /// Throws FileError where a folder holds files that are none of a set of this kind.
+  /// Throws FileError where a folder holds files that do not belong to a set of this kind.
   void require_ours(const std::filesystem::path& set) const;
   void discard() noexcept;
 

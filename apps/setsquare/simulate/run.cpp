@@ -88,7 +88,7 @@ SimulatedRun run_simulation(const Building& world, const SimulateOptions& option
   run.length_m = path.length_m();
   ProgressBar progress("simulating");
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    // A seed of its own: a scan does not depend on how many came before.
+    // A separate seed: a scan does not depend on how many came before.
     Random random(sub_seed(options.seed, kFirstScanPart + i));
     const SimulatedScan simulated =
         simulate_scan(caster, world.people, scanner, path, whole_microseconds(times_s[i]), random);

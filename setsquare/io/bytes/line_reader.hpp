@@ -14,7 +14,7 @@ namespace setsquare {
 /// The lines of a text, one at a time, without copying them.
 class LineReader {
  public:
-  /// A line longer than this is no record of ours: it is cut there and marked.
+  /// A line longer than this cannot be a record: it is cut there and marked.
   static constexpr std::size_t kMaxLineBytes = 1 << 20;
 
   explicit LineReader(InputBuffer& input) : input_(input) {}

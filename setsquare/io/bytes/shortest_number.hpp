@@ -9,8 +9,7 @@
 namespace setsquare {
 
 /// Appends as few digits as read back to the same number, whatever the locale. By std::to_chars,
-/// for what fmt::format("{}") takes for shortest is another form of some numbers (100000 for
-/// 1e+05).
+/// since fmt::format("{}") gives another form of some numbers (100000 for 1e+05).
 template <typename Number>
 void append_shortest(std::string& text, Number number) {
   std::array<char, 32> digits{};

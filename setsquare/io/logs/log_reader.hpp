@@ -57,7 +57,7 @@ struct LogRecord {
   std::uint64_t position = 0;  ///< Line number from 1 in a text log, byte offset in a binary one.
 };
 
-/// What to read of a log, and what the log itself does not tell.
+/// What to read of a log, and what the log itself does not state.
 struct LogOptions {
   /// Which laser's scans: its name in the log, "all", or empty for the front one (the laser whose
   /// mounting looks most nearly forward; of equal ones the first by name).

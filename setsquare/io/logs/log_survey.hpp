@@ -74,7 +74,7 @@ struct OdometrySurvey {
   double path_m = 0.0;
   double turn_rad = 0.0;        ///< Sum of the turns' magnitudes.
   std::uint64_t num_still = 0;  ///< Poses exactly equal to their predecessor's.
-  /// Steps of more than 0.5 m or 30 degrees, faster than 5 m/s or 600 degrees a second.
+  /// Steps of more than 0.5 m or 30 degrees, faster than 5 m/s or 600 degrees per second.
   std::uint64_t num_jumps = 0;
   std::uint64_t first_jump_position = 0;
   /// Steps of more than 2 mm forwards while the wheels report backwards, or the reverse.
@@ -96,7 +96,7 @@ struct OdometrySurvey {
 struct LogSurvey {
   std::map<std::string, SensorSurvey> sensors;          ///< By the laser's name.
   std::map<std::string, OdometrySurvey> scan_odometry;  ///< Odometry poses that came with scans.
-  OdometrySurvey wheel_odometry;                        ///< Odometry records of their own.
+  OdometrySurvey wheel_odometry;                        ///< Separate odometry records.
   std::uint64_t num_true_poses = 0;
 
   void add(const LogRecord& record);

@@ -29,15 +29,15 @@ struct MapFiles {
 /// A map as map_server's map_saver stores it and nav2 loads it: trinary, black (0) where occupied,
 /// white (254) where free, grey (205) where unknown; a cell is occupied or free where its
 /// probability passes the thresholds that stand in the yaml file (MapYaml's). `image_name` is the
-/// image's name as the yaml file shall give it.
+/// image's name as written in the yaml file.
 /// Throws ParameterError where the grid is turned against the map frame: nav2's and map_server's
 /// clients do not look at an origin's yaw. Make the grid with grid_heading_rad 0.
 [[nodiscard]] MapFiles map_files_from_grid(const OccupancyGrid& grid,
                                            const std::string& image_name = "map.pgm");
 
-/// Writes them: `yaml_path`, and beside it the image of the same name that ends in .pgm. Neither
-/// changes before both are written in full; the image is renamed first (save_files).
-/// Throws FileError, ParameterError.
+/// Writes them: `yaml_path`, and in its folder the image of the same name that ends in .pgm.
+/// Neither changes before both are written in full; the image is renamed first (save_files). Throws
+/// FileError, ParameterError.
 void write_map_pgm_yaml(const std::string& yaml_path, const OccupancyGrid& grid);
 
 }  // namespace setsquare

@@ -15,7 +15,7 @@ enum class MapMode {
   kRaw,      ///< The value is the occupancy in percent; above 100 unknown.
 };
 
-/// What stands in the yaml file beside a map's image (map_server's format).
+/// Contents of the yaml file of a map's image (map_server's format).
 struct MapYaml {
   std::string image;  ///< Path as written: relative to the yaml file's folder, or absolute.
   double resolution_m = 0.0;

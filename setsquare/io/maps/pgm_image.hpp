@@ -19,13 +19,13 @@ struct PgmImage {
   std::vector<std::uint16_t> values;  ///< One per pixel, row by row from the top.
 };
 
-/// Reads a PGM image, binary (P5, one or two bytes a pixel) or plain text (P2); what follows it is
-/// not looked at. Memory grows with what is read, whatever the header promises. Throws FileError;
-/// FormatError with the byte offset for what is no PGM, is cut short, or has more than 400 million
-/// pixels.
+/// Reads a PGM image, binary (P5, one or two bytes per pixel) or plain text (P2); what follows it
+/// is not looked at. Memory grows with what is read, whatever the header promises. Throws
+/// FileError; FormatError with the byte offset for a file that is not a PGM, is cut short, or has
+/// more than 400 million pixels.
 [[nodiscard]] PgmImage read_pgm(std::unique_ptr<ByteSource> source, const std::string& name);
 
-/// The image as a binary PGM file's bytes (P5): one byte a pixel where white is at most 255, else
+/// The image as a binary PGM file's bytes (P5): one byte per pixel where white is at most 255, else
 /// two, the higher first. Throws ParameterError where the sides are not positive, do not give the
 /// number of values, or a pixel is brighter than white.
 [[nodiscard]] std::string pgm_from_image(const PgmImage& image);

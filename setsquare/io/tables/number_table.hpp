@@ -45,7 +45,7 @@ template <std::size_t num_stamps, std::size_t num_values>
   return row;
 }
 
-/// Calls use(row) for each row of a text, passing over empty lines and comments (#). Throws
+/// Calls use(row) for each row of a text, skipping empty lines and comments (#). Throws
 /// FormatError naming the first line that is no such row and what a row is; also where the text has
 /// no row at all or its gzip stream is damaged.
 template <std::size_t num_stamps, std::size_t num_values, typename Use>

@@ -19,7 +19,7 @@
 namespace setsquare {
 namespace {
 
-/// Beyond this, arithmetic with information would overflow; no measurement is so sure.
+/// Beyond this, arithmetic with information would overflow; no measurement is that certain.
 constexpr double kMaxInformation = 1e60;
 /// An eigenvalue may be negative by this share of the largest: rounding of the file's digits.
 constexpr double kRounding = 1e-6;

@@ -12,7 +12,7 @@
 
 namespace setsquare {
 
-/// One line a node, constraint and heading measurement:
+/// One line per node, constraint and heading measurement:
 ///
 ///   VERTEX_SE2 id x y theta                                 poses in the map frame
 ///   FIX 0                                                   node 0 is held
@@ -38,7 +38,7 @@ struct PoseGraphG2o {
 /// may stand in any order. Node 0 is the one with the lowest id, whatever FIX says. g2o knows no
 /// kinds of constraints: those between nodes that follow each other are odometry, the others loop
 /// closures. All weights are 1. Of an EDGE_PRIOR_SE2 the heading is taken. Empty lines and those
-/// that begin with # are left out, lines of other kinds passed over and counted. Throws FileError;
+/// that begin with # are left out, lines of other kinds skipped and counted. Throws FileError;
 /// FormatError with the line.
 [[nodiscard]] PoseGraph read_pose_graph_g2o(const std::string& path);
 [[nodiscard]] PoseGraphG2o read_pose_graph_g2o(std::unique_ptr<ByteSource> source,

@@ -12,8 +12,8 @@ namespace setsquare {
 
 class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
-/// Reads ground truth: one relation a line, "stamp1 stamp2 x y z roll pitch yaw" (m, rad); z, roll
-/// and pitch are read and left out. Empty lines and lines that begin with # are passed over. The
+/// Reads ground truth: one relation per line, "stamp1 stamp2 x y z roll pitch yaw" (m, rad); z,
+/// roll and pitch are read and left out. Empty lines and lines that begin with # are skipped. The
 /// lines keep their order, repeated ones included. Throws FileError; FormatError with the line: no
 /// line of a ground truth may be lost.
 [[nodiscard]] std::vector<Relation> read_relations(const std::string& path);
@@ -27,7 +27,7 @@ struct PairOverlap {
   double overlap = 0.0;  ///< Share of the current scan's returns, 0 to 1.
 };
 
-/// Reads "stamp1 stamp2 overlap", one pair a line, in the order of the relations beside it. Throws
+/// Reads "stamp1 stamp2 overlap", one pair per line, in the order of the relations. Throws
 /// as read_relations() does.
 [[nodiscard]] std::vector<PairOverlap> read_overlaps(const std::string& path);
 [[nodiscard]] std::vector<PairOverlap> read_overlaps(std::unique_ptr<ByteSource> source,

@@ -15,7 +15,7 @@
 namespace setsquare {
 namespace {
 
-/// A quaternion of another length is none: relations have as many numbers in a line, too.
+/// Only unit quaternions are valid: lines of relations have the same number of columns.
 constexpr double kLengthTolerance = 0.01;
 
 /// The angle about z of a rotation (ZYX convention).

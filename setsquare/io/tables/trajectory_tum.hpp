@@ -11,7 +11,7 @@ namespace setsquare {
 
 class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
-/// The TUM format (as evo reads it): one pose a line, "stamp x y z qx qy qz qw", in the order of
+/// The TUM format (as evo reads it): one pose per line, "stamp x y z qx qy qz qw", in the order of
 /// the trajectory. Stamps have six decimals, positions (m) six, quaternions nine.
 [[nodiscard]] std::string tum_from_trajectory(const Trajectory& trajectory);
 

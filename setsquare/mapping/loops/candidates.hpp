@@ -62,13 +62,13 @@ struct ClosureCandidate {
 
 /// Proposes where loops may close, by position and by how uncertain it is: the window about an
 /// expected position grows with the way back to there, along the track and over the closures that
-/// were accepted. What a station costs depends on what is around it, not on the size of the map.
+/// were accepted. The cost of a station depends on its surroundings, not on the size of the map.
 class ClosureCandidates {
  public:
   explicit ClosureCandidates(const ClosureCandidateParams& params) : params_(params) {}
 
   /// The next station along the track; `way_m` from the one before: its length and slip_way times
-  /// what it may have slipped. `piece`: of the track; stations of different pieces are compared
+  /// its possible slip. `piece`: of the track; stations of different pieces are compared
   /// once a link joins these.
   void add_station(double way_m, std::size_t piece = 0);
 
@@ -91,7 +91,7 @@ class ClosureCandidates {
   std::vector<std::vector<Link>> links_;
   std::vector<double> way_from_start_m_;
   std::vector<std::size_t> pieces_;         ///< Of each station.
-  std::vector<std::size_t> joined_pieces_;  ///< Of each piece: the lowest one that it hangs with.
+  std::vector<std::size_t> joined_pieces_;  ///< Of each piece: the lowest one joined to it.
 };
 
 }  // namespace setsquare

@@ -33,7 +33,7 @@ void append(const SurfacePoints& points, const Pose2& T_submap_sensor, SurfacePo
   }
 }
 
-/// Whether two keyframes are known to stand as they do to each other. In a bare corridor they may
+/// Whether the relative pose of two keyframes is known. In a bare corridor they may
 /// have slipped, and a submap of both would be too short or too long.
 bool is_rigid(const KeyframeTrack& track, std::size_t a, std::size_t b, double slip_sigma_m) {
   constexpr double kMaxSlip_m = 0.1;

@@ -21,9 +21,9 @@ struct SubmapFitBothWays {
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   ///< As in SubmapAlignment, of both ways.
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< Likewise.
   double score = -1.0;         ///< Explained less contradicted, of the points compared; at most 1.
-  double contradiction = 0.0;  ///< Contradicted points as a share of those that tell.
-  /// As the score, but of the points that tell: what the other hides behind its surfaces counts for
-  /// nothing. Alike places agree alike, from wherever they are seen.
+  double contradiction = 0.0;  ///< Contradicted points as a share of those that can be judged.
+  /// As the score, but of the points that can be judged: points that are hidden behind the other's
+  /// surfaces do not count. Similar places agree equally from every point of view.
   double agreement = -1.0;
 };
 
@@ -34,10 +34,10 @@ struct SubmapMatch {
   OpenDirection open;                     ///< In the reference's frame.
 };
 
-/// What is known beforehand.
+/// What is known before matching.
 struct ExpectedPose {
   Pose2 T_reference_current;
-  double window_m = 0.0;  ///< The true position lies so near along each axis.
+  double window_m = 0.0;  ///< The true position lies this near along each axis.
 };
 
 /// Finds the translation under which two submaps agree; the rotation is known from the fused

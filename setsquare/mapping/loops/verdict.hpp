@@ -20,7 +20,7 @@ enum class ClosureReason {
   kLowScore,
   kContradicted,
   kAmbiguous,      ///< Another place explains the submaps almost as well.
-  kOpenDirection,  ///< Too few points bind a direction that is none of the map's axes.
+  kOpenDirection,  ///< Too few points bind a direction that is not one of the map's axes.
 };
 
 /// In lower-case words, for `closures.tsv`.
@@ -54,9 +54,9 @@ struct ComparedPlaces {
   double contradiction = 0.0;
 };
 
-/// A match of the submaps about two keyframes, judged. `point_sigma_m`: how much a point tells;
-/// `from_heading_rad`: of `from` in the map frame. Where one axis stays open the information says
-/// nothing along it.
+/// A match of the submaps about two keyframes, judged. `point_sigma_m`: noise of a point;
+/// `from_heading_rad`: of `from` in the map frame. Where one axis stays open the information is
+/// zero along it.
 [[nodiscard]] ComparedPlaces judged_places(std::size_t from,
                                            std::size_t to,
                                            const SubmapMatch& match,

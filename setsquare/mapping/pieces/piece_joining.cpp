@@ -90,7 +90,7 @@ class PieceJoiner {
     return true;
   }
 
-  /// The middle one of what the joints say of the piece's headings, as tracked.
+  /// The median of the turns that the joints give for the piece's tracked headings.
   [[nodiscard]] double tracked_turn_rad(const std::vector<Proposal>& joints) const {
     const auto turn_by = [&](const Proposal& joint) {
       return joined_.turn_rad[track_.pieces[joint.known]] +
@@ -185,7 +185,7 @@ class PieceJoiner {
     return proposal;
   }
 
-  /// Whether two proposals put the places that they are about alike.
+  /// Whether two proposals give nearly the same places.
   [[nodiscard]] bool agree(const Proposal& a, const Proposal& b) const {
     const double turn_rad = wrap_to_pi(a.T_map_piece.theta_rad - b.T_map_piece.theta_rad);
     if (std::abs(turn_rad) > params_.agreeing_rad) return false;
@@ -196,8 +196,8 @@ class PieceJoiner {
     return std::max(disagreement_m(a.sought), disagreement_m(b.sought)) < params_.agreeing_m;
   }
 
-  /// The proposals that agree with the one that most places agree with; none where too few do, or
-  /// where another opinion has half as many.
+  /// The proposals that agree with the one that has most votes of places; none where it has too few
+  /// votes, or another place has half as many votes.
   [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals) const {
     const auto num_places = [](const std::vector<Proposal>& list) {
       std::set<std::size_t> places;

@@ -12,10 +12,10 @@
 
 namespace setsquare {
 
-/// How pieces of track hang together.
+/// How pieces of track are joined.
 struct JoinedPieces {
-  /// To add to the tracked headings of each piece. What walls tell is known modulo a quarter turn
-  /// only, and of which frame of the building; matches of scans tell the rest.
+  /// To add to the tracked headings of each piece. Walls fix it only modulo a quarter turn and per
+  /// building frame; matches fix the rest.
   std::vector<double> turn_rad;
   std::vector<bool> is_joined;         ///< With the largest piece; that one is.
   std::vector<ComparedPlaces> joints;  ///< Accepted.

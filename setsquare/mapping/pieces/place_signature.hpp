@@ -24,7 +24,7 @@ struct PlaceSignature {
 /// The signature of samples whose frame has the heading `heading_rad` in the map.
 [[nodiscard]] PlaceSignature place_signature(const SurfaceSamples& samples, double heading_rad);
 
-/// 0 for the same, at most sqrt(2); the better of both orders of the axes, for a heading may be
+/// 0 for the same, at most sqrt(2); the better of both orders of the axes, since a heading may be
 /// known modulo a quarter turn only.
 [[nodiscard]] double signature_distance(const PlaceSignature& a, const PlaceSignature& b);
 

@@ -24,7 +24,7 @@ constexpr double kMaxDistance_m = 500.0;  // from the middle; what lies beyond h
 PointSet sample_of_returns(std::span<const PlacedScan> scans) {
   std::size_t num_beams = 0;
   for (const PlacedScan& placed : scans) num_beams += placed.scan->num_beams();
-  // Coprime to the usual numbers of beams, lest every scan gives the same ones.
+  // Coprime to the usual numbers of beams, so that scans do not all give the same beams.
   const std::size_t stride = num_beams / kMaxPoints | 1U;
   PointSet sample;
   std::size_t next = 0;

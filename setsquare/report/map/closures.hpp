@@ -33,7 +33,7 @@ using PlacedClosures = std::vector<PlacedClosure>;
 /// Draws each as a thin line with a dot at both ends, the paler the less it weighs.
 void draw_closures(Image& image, const MapLayout& layout, const PlacedClosures& closures);
 
-/// What a legend says of them: one entry a kind that is there.
+/// The entries of a legend: one entry per kind present.
 [[nodiscard]] std::vector<LegendEntry> legend_entries(const PlacedClosures& closures);
 
 }  // namespace setsquare

@@ -39,7 +39,7 @@ void add_track_figures(const MapSummary& summary, std::size_t num_with_odometry,
       "Track",
       "with odometry",
       num_with_odometry,
-      "Scans whose motion the robot's wheels told, too; they are a witness, not the truth.");
+      "Scans that came with wheel odometry, which helps tracking but is not taken as truth.");
   figures.add("Track", "way", fmt::format("{:.1f}", summary.path_m), "m");
   figures.add("Track", "keyframes", summary.num_keyframes, "Scans that the map is built of.");
   figures.add("Track",
@@ -57,7 +57,7 @@ void add_track_figures(const MapSummary& summary, std::size_t num_with_odometry,
   figures.add("Track",
               "pieces not joined",
               summary.num_unjoined_pieces,
-              "Stretches of which nobody knows where they lie in the map; they are left out.");
+              "Stretches whose place in the map is unknown; they are left out.");
 }
 
 void add_closure_figures(const MapSummary& summary, Figures& figures) {

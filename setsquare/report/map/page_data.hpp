@@ -19,7 +19,7 @@ namespace setsquare {
 
 /// Numbers for a page's script, small where neighbours differ little: each less the one before
 /// (the first less 0), signs folded into the lowest bit (0, -1, 1, -2 ... become 0, 1, 2, 3 ...),
-/// seven bits a byte, the lowest first, the high bit set where more follow; in base64.
+/// seven bits per byte, the lowest first, the high bit set where more follow; in base64.
 [[nodiscard]] std::string packed(std::span<const std::int64_t> values);
 
 /// The report as JSON for the page's script (web/unpack.js reads it): short texts as they are,

@@ -9,8 +9,8 @@
 
 namespace setsquare {
 
-/// What is known of a grid, as a grey picture whose shades tell what the cells are, not how they
-/// shall look: 0 surely occupied, 128 unknown, 255 surely free; the page gives them colours.
+/// The known part of a grid as a grey picture. Shades state what the cells are, not their colours:
+/// 0 surely occupied, 128 unknown, 255 surely free; the page chooses the colours.
 struct MapReportImage {
   Image image;
   double pixel_m = 0.0;  ///< Side of a pixel.

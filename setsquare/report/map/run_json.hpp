@@ -9,8 +9,8 @@
 
 namespace setsquare {
 
-/// How a map was made: what run.json holds beside the map itself. Texts may be empty; the two JSON
-/// texts are objects.
+/// How a map was made: the contents of run.json, apart from the map itself. Texts may be empty; the
+/// two JSON texts are objects.
 struct RunRecord {
   std::string log = {};     ///< As the user named it.
   std::string format = {};  ///< Of the log.

@@ -17,7 +17,7 @@ struct SaveMapOptions {
   PoseOf pose_of = PoseOf::kBase;  ///< What trajectory.tum holds.
   int num_threads = 1;             ///< Any number gives the same files.
   RunRecord run = {};              ///< For run.json.
-  /// Told before each of "grid", "picture", "tables" and "report" begins; may be empty.
+  /// Called before each stage: "grid", "picture", "tables" and "report". May be empty.
   std::function<void(const std::string& stage)> on_stage = {};
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Closures on the map: a line between the two visits and a mark in its middle, a shape a kind.
+// Closures on the map: a line between the two visits and a mark in its middle, one shape per kind.
 
 /** Adds the mark of a kind to a path; `direction`: of a bar, in rad on the page. */
 function addMark(path, kind, column, row, radius, direction = 0) {
@@ -25,7 +25,7 @@ function addMark(path, kind, column, row, radius, direction = 0) {
   }
 }
 
-/** Draws a path of marks: filled discs, else lines, upon a casing that parts them from the map. */
+/** Draws a path of marks: filled discs, else lines, on a casing that separates them from the map. */
 function paintMarks(context, path, kind, radius) {
   const width = Math.max(1.2, 0.42 * radius);
   context.lineCap = "round";

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What can be said of a loop closure, beside what the file tells.
+// What the page derives for a loop closure from the columns of the file.
 
 const kKinds = ["accepted", "one-axis", "outvoted", "refused"];
 const kKindNames = { accepted: "accepted", "one-axis": "one axis only", outvoted: "outvoted", refused: "refused" };

@@ -13,7 +13,7 @@ function symmetricRange(values, share, least) {
   return [-range, range];
 }
 
-/** Of each view: `fused`, `tracked` (one a heading, or null), `points` (null where not measured). */
+/** Of each view: `fused`, `tracked` (one per heading, or null), `points` (null where not measured). */
 function headingCurves(headings) {
   const count = headings.t.length;
   const isMeasured = (k) => headings.frame[k] >= 0;
@@ -51,7 +51,7 @@ function headingCurves(headings) {
   };
 }
 
-/** Stretches of poses of one condition: from, to (s), code. */
+/** Stretches of poses of one status: from, to (s), code. */
 function stretches(poses, codes) {
   const found = [];
   for (let k = 0; k < poses.t.length; ++k) {

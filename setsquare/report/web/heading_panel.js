@@ -119,7 +119,7 @@ class HeadingPanel {
     context.setLineDash([]);
   }
 
-  /** The more a measurement was believed, the stronger its point. */
+  /** The greater the weight of a measurement, the stronger its point. */
   drawPoints(context, points) {
     const size = this.view.scale / this.view.fittedScale > 6 ? 5 : 3;
     const buckets = new Map();

@@ -15,7 +15,7 @@ const discSwatch = (color, radius = 5) => drawnSwatch('<circle cx="13" cy="8" r=
 const bandSwatch = (color, dash) => drawnSwatch('<path d="M2 8h22" stroke="var(--' + color +
   ')" stroke-width="11" opacity=".5"/><path d="M2 8h22" stroke="var(--' + dash + ')" stroke-width="2"/>');
 
-/** Metres travelled and number of stretches in one condition. */
+/** Metres travelled and number of stretches of one status. */
 function lengthIn(poses, code) {
   let metres = 0;
   for (let k = 1; k < poses.t.length; ++k) {

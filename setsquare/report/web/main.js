@@ -12,7 +12,7 @@ function onChoice(id, chosen) {
   document.getElementById(id).addEventListener("change", (event) => chosen(event.target.value));
 }
 
-/** The closure to begin with: firmly believed, of two visits as far apart in time as can be. */
+/** The closure to begin with: of high weight, its two visits as far apart in time as possible. */
 function mostTelling({ closures }) {
   let best = -1;
   for (let k = 0; k < closures.count; ++k) {
@@ -40,7 +40,7 @@ function main() {
 
   const confidence = document.querySelector("input[value=confidence]");
   confidence.disabled = !map.track.hasConfidence;
-  if (confidence.disabled) confidence.parentElement.title = "This run tells no confidence.";
+  if (confidence.disabled) confidence.parentElement.title = "This run has no position uncertainty.";
   onChoice("color-choice", (value) => {
     shared.colorBy = value;
     shared.changed("color");

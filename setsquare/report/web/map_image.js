@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// The map's picture: its shades tell occupied (0), unknown (128), free (255); the theme colours it.
+// The map's picture: its shades mean occupied (0), unknown (128), free (255); the theme colours it.
 
 /** Half as wide and high. A wall stays a wall however small the map is drawn: of four shades the
     darkest counts where one is occupied, else their mean. */

@@ -38,7 +38,7 @@ function ramp(name) {
 
 const rampGradient = (name) => "linear-gradient(90deg, " + ramp(name).join(",") + ")";
 
-/** What several panels show alike; `changed` tells those who listen. */
+/** State that several panels share; `changed` calls the listeners. */
 const shared = {
   colorBy: "time",
   kinds: { accepted: true, "one-axis": true, outvoted: true, refused: true },

@@ -14,14 +14,14 @@ class TrackDrawing {
     if (this.count) this.times = [times.reduce((a, b) => Math.min(a, b)), times.reduce((a, b) => Math.max(a, b))];
     const sigmas = poses.sigma.filter(Number.isFinite).sort();
     this.hasConfidence = sigmas.length > 0;
-    // From the surest to nearly the least sure: a few lost poses shall not flatten all the others.
+    // From the smallest to nearly the largest sigma, so that a few lost poses do not flatten the scale.
     const rank = (share) => sigmas[Math.round(share * (sigmas.length - 1))];
     this.sigmas = this.hasConfidence ? [Math.max(rank(0), 1e-3), Math.max(rank(0.99), 2e-3)] : [1, 2];
     if (this.sigmas[1] < 1.5 * this.sigmas[0]) this.sigmas[1] = 1.5 * this.sigmas[0];
     this.tones = { time: this.tonesOf((k) => this.timeShare(k)), confidence: this.tonesOf((k) => this.sigmaShare(k)) };
   }
 
-  /** Whether somebody knows where in the map the pose lies. */
+  /** Whether the pose is placed in the map. */
   isPlaced(k) {
     return this.poses.condition[k] !== kNotPlaced;
   }
@@ -82,7 +82,7 @@ class TrackDrawing {
     this.drawEnds(context, columns, rows);
   }
 
-  /** One path a colour: some dozens of strokes, however many poses. What lies out of sight, or less
+  /** One path per colour: some dozens of strokes, however many poses. What lies out of sight, or less
       than a pixel from what was drawn last, is left out. */
   drawColored(context, view, columns, rows) {
     const tones = this.tones[shared.colorBy];

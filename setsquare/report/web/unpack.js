@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// The report as map_report_json (map_report_data.cpp) wrote it, into plain arrays in m, rad and s.
+// The report as map_report_json (page_data.cpp) wrote it, into plain arrays in m, rad and s.
 
-/** Numbers of one column; see `packed` in map_report_packing.hpp. */
+/** Numbers of one column; see `packed` in page_data.hpp. */
 function unpackNumbers(text) {
   const bytes = atob(text);
   const values = [];

@@ -47,7 +47,7 @@ function stampText(start, seconds) {
 const kConditions = ["tracked", "degenerate", "recovered", "lost", "not placed"];
 const kNotPlaced = 4;
 
-/** How many poses nobody can place in the map. */
+/** Number of poses not placed in the map. */
 const numNotPlaced = (poses) => poses.condition.filter((code) => code === kNotPlaced).length;
 
 const kWords = {
@@ -60,7 +60,7 @@ const kWords = {
   residual: "How far the closure's own pose is from where the finished map has the two scans: small where all measurements agree.",
   degenerate: "The scans did not fix the motion along one direction, as in a bare corridor. The heading is right, the length of the stretch is uncertain.",
   lost: "No scan matched: the pose is only carried on from the motion before.",
-  "not placed": "Tracked, but as a piece of its own: where tracking began anew nothing tells where in the map the robot was. The map leaves these scans out.",
+  "not placed": "Tracked, but as a piece of its own: where tracking restarted, the robot's place in the map is unknown. The map leaves these scans out.",
   recovered: "Found again by matching without any guess, after a gap or a fast turn.",
   confidence: "The standard deviation of the position along its least certain direction: two times out of three the position is better than that.",
   heading: "The direction in which the robot looks, in the map: 0" + kDegree + " along x, counter-clockwise.",

@@ -49,7 +49,7 @@ Furnishing furnishing_for(RoomUse use) {
   return {};
 }
 
-/// One piece at a wall; returns how much of the wall it took, 0 if nothing found its place.
+/// One piece at a wall; returns how much of the wall it took, 0 if nothing was placed.
 double place_at_wall(BuildingSketch& sketch,
                      RoomFloor& floor,
                      const Pose2& T_map_wall,
@@ -118,7 +118,7 @@ double area_of(const ConvexPolygon& outline) {
   return 0.5 * twice;
 }
 
-/// Calls `place` at random places until it succeeded per_m2 * area times, or too often in vain.
+/// Calls `place` at random places until it succeeded per_m2 * area times, or failed too often.
 template <typename Place>
 void scatter(const ConvexPolygon& outline, double per_m2, Random& random, const Place& place) {
   constexpr int kTries = 12;

@@ -9,7 +9,7 @@ namespace setsquare {
 
 // Single pieces of furniture as a scanner 0.3 m above the floor meets them. A piece that stands at
 // a wall has a frame with its origin at the wall, x along the wall, y into the room. Each takes its
-// floor and tells whether it found it free.
+// floor and returns whether the floor was free.
 
 /// A cabinet, shelf or counter: closed down to the floor.
 bool place_cabinet(BuildingSketch& sketch,

@@ -10,7 +10,7 @@
 namespace setsquare {
 namespace {
 
-// An opening reaches so far into the spaces that it joins: no side of one lies on a side of
+// An opening reaches this far into the spaces that it joins: no side of one lies on a side of
 // another.
 constexpr double kReach_m = 0.02;
 

@@ -11,11 +11,11 @@
 
 namespace setsquare {
 /// Short walls that stand out from the sides of a room and make bays of it, clear of the route.
-/// `num_tries`: how many are tried; those that find no free floor are left out.
+/// `num_tries`: how many are tried; walls without free floor are left out.
 void add_partitions(
     BuildingSketch& sketch, RoomFloor& floor, int num_tries, double longest_m, Random& random);
 
-/// What a room is for: what stands in it.
+/// The use of a room, which decides its furniture.
 enum class RoomUse { kOffice, kMeeting, kStore, kCorridor, kHall, kRound };
 
 /// A room that can be seen into.

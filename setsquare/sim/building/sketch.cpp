@@ -122,7 +122,7 @@ bool are_apart(const ConvexPolygon& a, const ConvexPolygon& b, double gap_m) {
 InsideInterval inside_interval(const ConvexPolygon& polygon,
                                const Eigen::Vector2d& start_m,
                                const Eigen::Vector2d& end_m) {
-  constexpr double kOnSide_m = 1e-6;  // So near to a side the line is not inside.
+  constexpr double kOnSide_m = 1e-6;  // A line this near to a side is not inside.
   InsideInterval inside{0.0, 1.0};
   for (std::size_t i = 0; i < polygon.size(); ++i) {
     const Eigen::Vector2d side = (polygon[(i + 1) % polygon.size()] - polygon[i]).normalized();

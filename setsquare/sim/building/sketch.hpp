@@ -13,7 +13,7 @@ namespace setsquare {
 /// Corners of a convex polygon, anticlockwise, in m. Two corners make a line.
 using ConvexPolygon = std::vector<Eigen::Vector2d>;
 
-/// The rectangle between two corners that are given in a frame of its own; x0 < x1, y0 < y1.
+/// The rectangle between two corners that are given in its own frame; x0 < x1, y0 < y1.
 [[nodiscard]] ConvexPolygon rectangle(
     const Pose2& T_map_frame, double x0_m, double y0_m, double x1_m, double y1_m);
 

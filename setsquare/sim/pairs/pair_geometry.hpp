@@ -9,7 +9,7 @@
 
 namespace setsquare {
 
-/// What the floor plan alone says of a pair of scans: never a matcher, never noise, never people.
+/// Geometry of a pair of scans by the floor plan alone, without matcher, noise or people.
 struct PairGeometry {
   /// Share of the current scan's returns that, at the true pose, lie within 0.2 m of a surface that
   /// the reference saw.
@@ -29,9 +29,9 @@ struct PairGeometry {
   }
 };
 
-/// Of what two scans see: computed once a scan, compared once a pair. Each return that both have in
-/// common weighs the length of wall that it stands for; normals are those of WallNormals, levers
-/// about the centroid of the common returns.
+/// Of what two scans see: computed once per scan, compared once per pair. Each return that both
+/// have in common weighs the length of wall that it stands for; normals are those of WallNormals,
+/// levers about the centroid of the common returns.
 [[nodiscard]] PairGeometry pair_geometry(const VisibleSurface& reference,
                                          const VisibleSurface& current);
 

@@ -10,9 +10,10 @@
 
 namespace setsquare {
 
-/// How wrong wheels measure: a decent differential drive. All are standard deviations. The first
-/// three are errors of a run, drawn once (wheel radii, wheel base, unequal wheels); the others are
-/// noise whose variance grows with the motion, however finely the path is sampled (slip).
+/// Errors of wheel odometry, by default of a decent differential drive. All are standard
+/// deviations. The first three are errors of a run, drawn once (wheel radii, wheel base, unequal
+/// wheels); the others are noise whose variance grows with the motion, however finely the path is
+/// sampled (slip).
 struct OdometryParams {
   double distance_scale = 0.02;  ///< Share of the distance.
   double turn_scale = 0.02;      ///< Share of the turns.
@@ -25,7 +26,7 @@ struct OdometryParams {
   void validate() const;
 };
 
-/// Wheels that measure nothing but the truth.
+/// Wheels without errors.
 [[nodiscard]] OdometryParams without_drift();
 
 /// What the wheels of a robot report while it moves. The frame odom is the base at the first pose.

@@ -7,7 +7,7 @@
 
 namespace setsquare {
 
-/// Somebody who stands (from = to) or walks to and fro along a straight line. Times in s since the
+/// A person who stands (from = to) or walks to and fro along a straight line. Times in s since the
 /// start of the run.
 struct Person {
   Eigen::Vector2d from_m;
@@ -22,8 +22,9 @@ struct Disc {
   double radius_m = 0.0;
 };
 
-/// Two legs a person, at a time: 12 cm thick and 20 cm apart; they swing while the person walks.
-/// Continuous in time. Who stands faces the direction of `phase_s` taken as an angle in rad.
+/// Two legs per person, at a given time: 12 cm thick and 20 cm apart; they swing while the person
+/// walks. Continuous in time. A standing person faces the direction of `phase_s` taken as an angle
+/// in rad.
 [[nodiscard]] std::vector<Disc> legs_at(const std::vector<Person>& people, double time_s);
 
 }  // namespace setsquare

@@ -42,7 +42,7 @@ struct SegmentHit {
   const double across = end_side - start_side;
   const double dx = end_x - start_x;
   const double dy = end_y - start_y;
-  // Edge-on: a sine of less than 1e-9 between ray and segment says nothing of the range.
+  // Edge-on: a sine of less than 1e-9 between ray and segment does not determine the range.
   if (across * across <= 1e-18 * (dx * dx + dy * dy)) return std::nullopt;
   return (start_x * dy - start_y * dx) / across;
 }

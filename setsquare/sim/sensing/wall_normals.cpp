@@ -65,12 +65,12 @@ WallNormals::WallNormals(const FloorPlan& plan) : facets_(plan.segments.size()) 
     if (next - first != 2) continue;  // Loose, or more than one wall goes on from here.
     const SegmentEnd& a = ends[first];
     const SegmentEnd& b = ends[first + 1];
-    // Both directions as of one who walks along a to the corner and away from it along b.
+    // Directions of a walk along a to the corner and away from it along b.
     const Eigen::Vector2d in = (a.is_end ? 1.0 : -1.0) * facets_[a.segment].along;
     const Eigen::Vector2d out = (b.is_end ? -1.0 : 1.0) * facets_[b.segment].along;
     const double turn_rad = std::atan2(in.x() * out.y() - in.y() * out.x(), in.dot(out));
     if (std::abs(turn_rad) > kLargestTurn_rad) continue;
-    // Who walks a segment backwards meets its turns the other way round.
+    // A walk backwards along a segment has its turns with the opposite sign.
     (a.is_end ? facets_[a.segment].turn_at_end_rad : facets_[a.segment].turn_at_start_rad) =
         a.is_end ? turn_rad : -turn_rad;
     (b.is_end ? facets_[b.segment].turn_at_end_rad : facets_[b.segment].turn_at_start_rad) =

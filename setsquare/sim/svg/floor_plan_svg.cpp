@@ -93,7 +93,7 @@ struct Inherited {
   int depth = 0;
 };
 
-/// Walks the document and gathers the plan; `last_offset` tells where it was when a fault was
+/// Walks the document and gathers the plan; `last_offset` is its place when a fault was
 /// found.
 class SvgWalker {
  public:

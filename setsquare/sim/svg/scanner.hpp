@@ -7,7 +7,8 @@
 
 namespace setsquare {
 
-/// What is wrong with one attribute or element of an SVG; who walks the document adds the place.
+/// What is wrong with one attribute or element of an SVG; the caller that walks the document adds
+/// the place.
 class SvgFault : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;

@@ -49,7 +49,7 @@ double max_range_from_stated(double stated_m) {
   return is_sick_code ? kSickFirstErrorCode_m : stated_m;
 }
 
-/// Messages of CARMEN that hold nothing for us.
+/// Messages of CARMEN that are not used.
 constexpr std::array<std::string_view, 17> kPassedOver = {"SYNC",
                                                           "MARKER",
                                                           "COMMENT",
@@ -116,7 +116,7 @@ bool read_ranges(TextScanner& text, std::vector<double>& ranges_m) {
   return true;
 }
 
-/// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" tells nothing).
+/// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" has no known precision).
 double rounding_of(std::string_view number) {
   const std::size_t point = number.find('.');
   const std::size_t num_decimals = point == std::string_view::npos ? 0 : number.size() - point - 1;

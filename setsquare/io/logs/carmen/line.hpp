@@ -27,7 +27,7 @@ struct CarmenState {
 };
 
 /// Reads one line of a CARMEN log. Message formats: FLASER, RLASER, RAWLASERn, ROBOTLASERn, ODOM,
-/// TRUEPOS, PARAM; other known messages are passed over. The stamp is the IPC stamp, third field
+/// TRUEPOS, PARAM; other known messages are skipped. The stamp is the IPC stamp, third field
 /// from the end. A scan's mounting is robot pose^-1 * laser pose of this line, rounding included.
 [[nodiscard]] CarmenLine read_carmen_line(std::string_view line,
                                           CarmenState& state,

@@ -11,7 +11,7 @@
 
 namespace setsquare {
 
-/// The records of a CARMEN log: one message a line (read_carmen_line).
+/// The records of a CARMEN log: one message per line (read_carmen_line).
 class CarmenLog final : public RecordStream {
  public:
   CarmenLog(std::unique_ptr<InputBuffer> input, const LogOptions& options);

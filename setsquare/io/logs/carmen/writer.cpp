@@ -18,7 +18,7 @@ namespace {
 constexpr double kRangeUnit_m = 0.001;
 constexpr int kRangeDecimals = 3;
 constexpr int kPoseDecimals = 6;
-constexpr int kBearingDecimals = 9;  // 1e-9 rad a step is 1e-6 rad over a thousand beams
+constexpr int kBearingDecimals = 9;  // 1e-9 rad per step is 1e-6 rad over a thousand beams
 constexpr std::string_view kHost = " setsquare ";
 
 void append_number(std::string& text, double value, int num_decimals) {

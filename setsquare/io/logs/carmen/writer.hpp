@@ -10,7 +10,7 @@
 
 namespace setsquare {
 
-/// What a ROBOTLASER1 message tells of the robot.
+/// The robot's part of a ROBOTLASER1 message.
 struct CarmenRobot {
   Pose2 T_odom_base;  ///< By the wheels.
   double forward_m_per_s = 0.0;
@@ -23,8 +23,8 @@ struct CarmenRobot {
 /// robot_x robot_y robot_theta laser_tv laser_rv forward_safety side_safety turn_axis
 /// timestamp host logger_timestamp", both poses by odometry, their difference the mounting.
 /// Ranges in m with three decimals, poses with six, stamps to the microsecond, or to the nanosecond
-/// where they have one. What a beam tells (Scan::outcome) survives: a no-return is written as the
-/// maximum range, an invalid beam as 0. Throws ParameterError where the scan has no beam or no
+/// where they have one. What a beam measured (Scan::outcome) survives: a no-return is written as
+/// the maximum range, an invalid beam as 0. Throws ParameterError where the scan has no beam or no
 /// finite maximum range or is not valid: the format could not state it.
 void append_carmen_scan(std::string& log, const Scan& scan, const CarmenRobot& robot);
 

@@ -63,7 +63,7 @@ bool set_mounting(Scan& scan, const MrptPose3& sensor_pose) {
          std::isfinite(scan.T_base_sensor.theta_rad);
 }
 
-/// n, n ranges and, since version 1, n flags that tell which are valid.
+/// n, n ranges and, since version 1, n flags that state which are valid.
 bool read_ranges(ByteCursor& bytes, int version, Scan& scan) {
   const auto num_beams = bytes.read<std::uint32_t>();
   if (num_beams == 0 || num_beams > kMaxBeams) return false;

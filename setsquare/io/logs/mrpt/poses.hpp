@@ -22,7 +22,7 @@ struct MrptHeader {
 /// Closes every object since MRPT 0.5.5.
 inline constexpr std::uint8_t kMrptEndFlag = 0x88;
 
-/// Reads an object's header; nothing where the bytes are none.
+/// Reads an object's header; nothing where the bytes are not a header.
 [[nodiscard]] std::optional<MrptHeader> read_mrpt_header(ByteCursor& bytes);
 
 /// Reads the end flag of an object with this header; false where it is missing.
@@ -40,7 +40,7 @@ struct MrptPose3 {
 /// A whole CPose2D, versions 0 and 1, finite; nothing where there is none.
 [[nodiscard]] std::optional<Pose2> read_mrpt_pose2(ByteCursor& bytes);
 
-/// Passes over a whole matrix of float (the covariance that old scans carry).
+/// Skips a whole matrix of float (the covariance that old scans carry).
 [[nodiscard]] bool skip_mrpt_matrix(ByteCursor& bytes);
 
 }  // namespace setsquare

@@ -85,7 +85,7 @@ MrptRawlog::Attempt MrptRawlog::attempt_body(ByteCursor& bytes,
   } else if (header.class_name == kMovementClass) {
     reason = read_mrpt_movement(bytes, header.version, movement);
   } else {
-    return {.reason = "a class that is not read and tells no length"};
+    return {.reason = "an unknown class whose length is not stated"};
   }
   const bool has_end = read_mrpt_end(bytes, header);
   if (bytes.is_short()) return {.reason = "cut short", .is_short = true};

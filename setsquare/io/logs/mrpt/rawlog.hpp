@@ -21,7 +21,7 @@ namespace setsquare {
 /// The records of an MRPT rawlog: serialised objects, one behind another, some inside a
 /// CSensoryFrame or CActionCollection.
 ///
-/// Objects carry no length, so an object can only be passed over by a reader that knows its class
+/// Objects carry no length, so an object can only be skipped by a reader that knows its class
 /// and version. At any other the reader looks for the next object that it knows, by class name, and
 /// goes on there; each such gap is counted in problems(). Odometry: the absolute poses of
 /// CObservationOdometry, or the sum of the increments of CActionRobotMovement2D.

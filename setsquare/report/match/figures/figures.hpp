@@ -53,8 +53,8 @@ using Figure = std::vector<SvgCanvas>;
 /// The two scans overlaid as proposed, at the answer and at the runner-up, contradictions marked.
 [[nodiscard]] Figure overlay_figure(const MatchStory& story);
 
-/// The proposal that the overlay shows beside the answer: the best that is another pose. Null where
-/// there is none.
+/// The proposal that the overlay shows with the answer: the best of a different pose. Null without
+/// such a proposal.
 [[nodiscard]] const StoryProposal* best_other_proposal(const MatchStory& story);
 
 /// Cells of text: the last column is of words, those before it of numbers where `has_numbers`.

@@ -50,7 +50,7 @@ class PlotPanel {
             Color value,
             double radius_px,
             double opacity = 1.0);
-  /// A vertical line over the whole height, with words beside its top, `line` lines down.
+  /// A vertical line over the whole height, with words next to its top, `line` lines down.
   void vertical(double x, Color value, std::string_view words, int line = 0);
   void ring(double x, double y, Color value);
   /// The sensor's place and the direction that it looks.

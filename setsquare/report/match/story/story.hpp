@@ -108,13 +108,13 @@ struct MatchStory {
   std::vector<std::string> evidence;     ///< The answer in words, a sentence each.
 };
 
-/// Matches by the paper's method and tells how.
+/// Matches by the paper's method and records the steps.
 [[nodiscard]] MatchStory tell_paper_match(const Scan& reference,
                                           const Scan& current,
                                           const StoryNames& names,
                                           const PaperParams& params = {});
 
-/// Matches with the default matcher and tells how.
+/// Matches with the default matcher and records the steps.
 [[nodiscard]] MatchStory tell_default_match(const Scan& reference,
                                             const Scan& current,
                                             const StoryNames& names,

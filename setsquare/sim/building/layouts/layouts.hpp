@@ -7,7 +7,7 @@
 
 namespace setsquare {
 
-// One function a class of buildings; all of them complete a sketch: spaces, route, furniture,
+// One function per class of buildings; all of them complete a sketch: spaces, route, furniture,
 // people.
 
 [[nodiscard]] BuildingSketch sketch_office(Random& random);

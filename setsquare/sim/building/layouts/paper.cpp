@@ -12,10 +12,10 @@
 #include "setsquare/sim/building/openings.hpp"
 #include "setsquare/sim/building/wing.hpp"
 
-// The building of section 5.2, as far as the paper's text tells: 136 x 236 m, a track of 1124 m
-// from (0, 0), circuits from D = (85, 33) of 398 m and from G = (83, -19) of 901 m with their
-// orders of places. The rest is our reconstruction: A, B, C, D are the corners of a rectangle of
-// corridors, an inner corridor joins C to B by a second way of the same length, F lies below B.
+// The building of section 5.2, as far as the paper's text describes it: 136 x 236 m, a track of
+// 1124 m from (0, 0), circuits from D = (85, 33) of 398 m and from G = (83, -19) of 901 m with
+// their orders of places. The rest is our reconstruction: A, B, C, D are the corners of a rectangle
+// of corridors, an inner corridor joins C to B by a second way of the same length, F lies below B.
 // Where the corridors run is given to the decimetre by those lengths.
 
 namespace setsquare {
@@ -76,7 +76,7 @@ Wing make_corridor(const Corridor& corridor) {
   return wing;
 }
 
-/// Rooms on both sides; rooms that would stand in another corridor are left out.
+/// Rooms on both sides; rooms that would overlap another corridor are left out.
 void add_rooms(BuildingSketch& sketch, const Corridor& corridor, Wing& wing, Random& random) {
   RoomRow row;
   row.length_m = wing.length_m;

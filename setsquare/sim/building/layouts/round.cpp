@@ -79,7 +79,7 @@ Eigen::Vector2d add_bent_passage(BuildingSketch& sketch,
   return bend;
 }
 
-/// Rooms in a chain, each beside the one before; those that find no place are left out.
+/// Rooms in a chain, each next to the one before; rooms without a place are left out.
 std::vector<RoundRoom> add_chain(BuildingSketch& sketch, Random& random) {
   constexpr int kTries = 200;
   std::vector<RoundRoom> chain{draw_round_room({0.0, 0.0}, random.uniform(1.8, 4.5), random)};
