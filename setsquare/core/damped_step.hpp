@@ -3,7 +3,6 @@
 // The step that every refinement of a pose takes.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/LU>
 
@@ -20,18 +19,12 @@ struct NormalEquations {
 
 /// The Gauss-Newton step, damped: where the data determine nothing the step is short, not wild.
 /// `damping`: added to the hessian's diagonal, in its units. `prior`: what is known in addition to
-/// the data.
+/// the data. For kSize 3 and 5.
 template <int kSize>
 [[nodiscard]] Eigen::Matrix<double, kSize, 1> damped_step(
     const NormalEquations<kSize>& data,
     const Eigen::Matrix<double, kSize, 1>& damping,
-    const NormalEquations<kSize>& prior = {}) {
-  Eigen::Matrix<double, kSize, kSize> hessian = data.hessian;
-  hessian.diagonal() += damping;
-  hessian += prior.hessian;
-  const Eigen::Matrix<double, kSize, 1> gradient = data.gradient + prior.gradient;
-  return hessian.ldlt().solve(-gradient);
-}
+    const NormalEquations<kSize>& prior = {});
 
 /// The same with one damping for all: for a pose, in points or metres of wall x (1, m^2).
 [[nodiscard]] inline Eigen::Vector3d damped_step(const NormalEquations<3>& data,

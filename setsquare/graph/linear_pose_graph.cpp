@@ -4,10 +4,10 @@
 
 #include <cassert>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <string>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/graph/block_equations.hpp"
 #include "setsquare/graph/node_sets.hpp"
 
@@ -24,13 +24,12 @@ constexpr double kDoubtfulPivot = 1e-12;
 /// W^+ and the rank of W; W symmetric and positive semi-definite.
 struct PseudoInverse {
   explicit PseudoInverse(const Eigen::Matrix2d& W) {
-    Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen;
-    eigen.computeDirect(W);
-    const double largest = eigen.eigenvalues()[1];
+    const SymmetricEigen2 eigen = symmetric_eigen_direct(W);
+    const double largest = eigen.values[1];
     for (int k = 0; k < 2; ++k) {
-      const double eigenvalue = eigen.eigenvalues()[k];
+      const double eigenvalue = eigen.values[k];
       if (!(eigenvalue > kUnboundShare * largest)) continue;
-      const Eigen::Vector2d direction = eigen.eigenvectors().col(k);
+      const Eigen::Vector2d direction = eigen.vectors.col(k);
       matrix += direction * direction.transpose() / eigenvalue;
       ++rank;
     }

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <limits>
 
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/graph/marginal_covariance.hpp"
 
 namespace setsquare {
@@ -21,8 +21,7 @@ std::size_t keyframe_before(const Map& track, std::size_t scan) {
 }
 
 double largest_sigma_m(const Eigen::Matrix2d& covariance) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(covariance, Eigen::EigenvaluesOnly);
-  return std::sqrt(std::max(0.0, solver.eigenvalues().y()));
+  return std::sqrt(std::max(0.0, symmetric_eigenvalues(covariance).y()));
 }
 
 /// A piece: its scans, and its keyframes, of which it has one at least.

@@ -4,8 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "setsquare/core/symmetric_eigen.hpp"
 
 namespace setsquare {
 namespace {
@@ -57,11 +58,11 @@ WallConstraint wall_constraint(const Eigen::Matrix3d& hessian) {
       hessian.topLeftCorner<2, 2>() + kTiny_m * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d coupling = hessian.topRightCorner<2, 1>();
   const double turning_m3 = hessian(2, 2) - coupling.dot(held.inverse() * coupling);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(translation);
-  const Eigen::Vector2d axis = solver.eigenvectors().col(0);
+  const SymmetricEigen2 held_by_walls = symmetric_eigen(translation);
+  const Eigen::Vector2d axis = held_by_walls.vectors.col(0);
   const double direction_rad = std::atan2(axis.y(), axis.x());
-  return {.all_m = solver.eigenvalues().sum(),
-          .open_direction_m = std::max(0.0, solver.eigenvalues()(0)),
+  return {.all_m = held_by_walls.values.sum(),
+          .open_direction_m = std::max(0.0, held_by_walls.values(0)),
           .turning_m3 = std::max(0.0, turning_m3),
           .open_direction_rad = direction_rad - kPi * std::floor(direction_rad / kPi)};
 }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <optional>
 #include <stdexcept>
 
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/graph/marginal_covariance.hpp"
 #include "tests/support/seed.hpp"
 
@@ -43,10 +43,10 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& information, double from_rad, doub
 /// What the translation's information binds.
 struct BoundAxes {
   explicit BoundAxes(const Eigen::Matrix2d& information) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(information);
-    is_one_open = eigen.eigenvalues()[0] < 1e-6 * eigen.eigenvalues()[1];
-    strong = eigen.eigenvectors().col(1);
-    least = eigen.eigenvalues()[is_one_open ? 1 : 0];
+    const SymmetricEigen2 eigen = symmetric_eigen(information);
+    is_one_open = eigen.values[0] < 1e-6 * eigen.values[1];
+    strong = eigen.vectors.col(1);
+    least = eigen.values[is_one_open ? 1 : 0];
   }
   bool is_one_open = false;
   Eigen::Vector2d strong;

@@ -6,11 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "tests/sim/plans.hpp"
 #include "tests/support/seed.hpp"
 
@@ -55,9 +55,9 @@ PairGeometry plain_pair_geometry(const VisibleSurface& reference, const VisibleS
   const Eigen::Matrix3d covariance = information.inverse();
   geometry.wall_turning_m3 = 1.0 / covariance(2, 2);
   const Eigen::Matrix2d translation = covariance.topLeftCorner<2, 2>().inverse();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(translation);
-  geometry.wall_across_m = axes.eigenvalues()(0);
-  geometry.worst_direction_rad = std::atan2(axes.eigenvectors()(1, 0), axes.eigenvectors()(0, 0));
+  const SymmetricEigen2 axes = symmetric_eigen(translation);
+  geometry.wall_across_m = axes.values(0);
+  geometry.worst_direction_rad = std::atan2(axes.vectors(1, 0), axes.vectors(0, 0));
   return geometry;
 }
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <Eigen/Eigenvalues>
 
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare::open_direction_test {
@@ -23,10 +23,10 @@ TEST(OpenDirection, EqualsTheEigensolver) {
       const Eigen::Vector2d normal(std::cos(angle_rad), std::sin(angle_rad));
       information += uniform(generator, 0.0, 50.0) * normal * normal.transpose();
     }
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> twin(information);
+    const SymmetricEigen2 twin = symmetric_eigen(information);
     const OpenDirection open = open_direction(information);
-    EXPECT_NEAR(open.effective_points, twin.eigenvalues()(0), 1e-9);
-    EXPECT_NEAR(std::abs(open.direction.dot(twin.eigenvectors().col(0))), 1.0, 1e-6);
+    EXPECT_NEAR(open.effective_points, twin.values(0), 1e-9);
+    EXPECT_NEAR(std::abs(open.direction.dot(twin.vectors.col(0))), 1.0, 1e-6);
   }
 }
 
