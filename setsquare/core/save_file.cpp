@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -54,39 +55,50 @@ std::FILE* open_temporary(const fs::path& path, fs::path& temporary) {
   return nullptr;
 }
 
-/// Writes and closes; the reason of a failure, or 0.
-int write_and_close(std::FILE* file, std::string_view bytes) {
+/// Writes; the reason of a failure, or 0.
+int write_to(std::FILE* file, std::string_view bytes) {
   errno = 0;
-  const bool is_written = std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size();
-  const int write_error = is_written ? 0 : (errno != 0 ? errno : EIO);
-  const bool is_closed = std::fclose(file) == 0;
-  if (write_error != 0 || is_closed) return write_error;
-  return errno;
+  if (std::fwrite(bytes.data(), 1, bytes.size(), file) == bytes.size()) return 0;
+  return errno != 0 ? errno : EIO;
 }
 
-/// The bytes of a file under a temporary name in its folder; removed unless it was renamed.
+/// A file under a temporary name in the folder of its path; removed unless it was renamed.
 class StagedFile {
  public:
-  StagedFile(const std::string& path, std::string_view bytes)
-      : path_(path), target_(behind_links(path)) {
-    std::FILE* const file = open_temporary(target_, temporary_);
-    if (file == nullptr) complain(path, std::strerror(errno));
-    std::error_code error(write_and_close(file, bytes), std::generic_category());
-    std::error_code absent;
-    const fs::file_status status = fs::status(target_, absent);
-    if (!error && fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
-    if (!error) return;
-    remove();
-    complain(path, error.message());
+  explicit StagedFile(const std::string& path) : path_(path), target_(behind_links(path)) {
+    file_ = open_temporary(target_, temporary_);
+    if (file_ == nullptr) complain(path, std::strerror(errno));
   }
   StagedFile(StagedFile&& other) noexcept
       : path_(std::move(other.path_)),
         target_(std::move(other.target_)),
-        temporary_(std::exchange(other.temporary_, {})) {}
+        temporary_(std::exchange(other.temporary_, {})),
+        file_(std::exchange(other.file_, nullptr)) {}
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
   StagedFile& operator=(StagedFile&&) = delete;
-  ~StagedFile() { remove(); }
+  ~StagedFile() {
+    if (file_ != nullptr) std::fclose(file_);
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  }
+
+  void append(std::string_view bytes) {
+    if (const int failure = write_to(file_, bytes); failure != 0) {
+      complain(path_, std::strerror(failure));
+    }
+  }
+
+  /// Its bytes are on their way to the disk, and it has the permissions of the file that it replaces.
+  void close() {
+    const bool is_closed = std::fclose(std::exchange(file_, nullptr)) == 0;
+    if (!is_closed) complain(path_, std::strerror(errno));
+    std::error_code error;
+    const fs::file_status status = fs::status(target_, error);
+    error.clear();
+    if (fs::exists(status)) fs::permissions(temporary_, status.permissions(), error);
+    if (error) complain(path_, error.message());
+  }
 
   void put_in_place() {
     std::error_code error;
@@ -96,14 +108,10 @@ class StagedFile {
   }
 
  private:
-  void remove() {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
-  }
-
   std::string path_;
   fs::path target_;
   fs::path temporary_;
+  std::FILE* file_ = nullptr;
 };
 
 /// A device, a pipe, an open stream: nothing that could be replaced.
@@ -113,11 +121,32 @@ bool is_no_file(const std::string& path) {
   return is_open_stream(path) || (fs::exists(status) && !fs::is_regular_file(status));
 }
 
-void append_to(const std::string& path, std::string_view bytes) {
-  std::FILE* const file = std::fopen(path.c_str(), "ab");
-  const int failure = file == nullptr ? errno : write_and_close(file, bytes);
-  if (failure != 0) complain(path, std::strerror(failure));
-}
+/// What cannot be replaced is written to.
+class OpenStream {
+ public:
+  explicit OpenStream(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "ab")) {
+    if (file_ == nullptr) complain(path, std::strerror(errno));
+  }
+  OpenStream(const OpenStream&) = delete;
+  OpenStream& operator=(const OpenStream&) = delete;
+  ~OpenStream() {
+    if (file_ != nullptr) std::fclose(file_);
+  }
+
+  void append(std::string_view bytes) {
+    if (const int failure = write_to(file_, bytes); failure != 0) {
+      complain(path_, std::strerror(failure));
+    }
+  }
+
+  void close() {
+    if (std::fclose(std::exchange(file_, nullptr)) != 0) complain(path_, std::strerror(errno));
+  }
+
+ private:
+  std::string path_;
+  std::FILE* file_;
+};
 
 }  // namespace
 
@@ -131,12 +160,47 @@ void save_files(std::span<const FileBytes> files) {
   staged.reserve(files.size());
   for (const FileBytes& file : files) {
     if (is_no_file(file.path)) {
-      append_to(file.path, file.bytes);
+      OpenStream stream(file.path);
+      stream.append(file.bytes);
+      stream.close();
     } else {
-      staged.emplace_back(file.path, file.bytes);
+      staged.emplace_back(file.path);
+      staged.back().append(file.bytes);
+      staged.back().close();
     }
   }
   for (StagedFile& file : staged) file.put_in_place();
 }
+
+class GrowingFile::Target {
+ public:
+  explicit Target(const std::string& path) {
+    if (is_no_file(path)) {
+      stream_.emplace(path);
+    } else {
+      staged_.emplace(path);
+    }
+  }
+
+  void append(std::string_view bytes) {
+    if (stream_) return stream_->append(bytes);
+    staged_->append(bytes);
+  }
+
+  void commit() {
+    if (stream_) return stream_->close();
+    staged_->close();
+    staged_->put_in_place();
+  }
+
+ private:
+  std::optional<OpenStream> stream_;
+  std::optional<StagedFile> staged_;
+};
+
+GrowingFile::GrowingFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}
+GrowingFile::~GrowingFile() = default;
+void GrowingFile::append(std::string_view bytes) { target_->append(bytes); }
+void GrowingFile::commit() { target_->commit(); }
 
 }  // namespace setsquare

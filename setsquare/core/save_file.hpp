@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -23,5 +24,27 @@ struct FileBytes {
 /// save_file for files that belong together: all are written under temporary names before the first
 /// is renamed, in the order given, so that they change together as far as renames can.
 void save_files(std::span<const FileBytes> files);
+
+/// A file that grows piece by piece, for what does not fit into memory; like save_file's it comes
+/// under its name as a whole or not at all. What is no regular file is written to directly.
+class GrowingFile {
+ public:
+  /// Throws FileError where it cannot be made.
+  explicit GrowingFile(const std::string& path);
+  /// Removes what was not committed.
+  ~GrowingFile();
+  GrowingFile(const GrowingFile&) = delete;
+  GrowingFile& operator=(const GrowingFile&) = delete;
+
+  /// Throws FileError.
+  void append(std::string_view bytes);
+
+  /// The file takes its name. Throws FileError.
+  void commit();
+
+ private:
+  class Target;
+  std::unique_ptr<Target> target_;
+};
 
 }  // namespace setsquare

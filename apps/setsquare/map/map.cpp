@@ -20,7 +20,7 @@
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
 
 namespace setsquare::app {
@@ -74,7 +74,7 @@ void require_something_mapped(const MapOptions& options, const MapSummary& summa
   const std::size_t num_scans = summary.num_scans;
   if (num_scans == 0 || summary.num_lost < num_scans) return;
   throw FileError(
-      options.log_path,
+      options.log_name(),
       fmt::format("none of its {} scans could be mapped: too few returns within range", num_scans));
 }
 
@@ -85,15 +85,15 @@ void map_log(MapOptions options) {
   StageClock clock;
   LogOptions log_options = options.log;
   log_options.scans_only = true;
-  const auto reader = open_log(options.log_path, log_options);
-  OutputSet outputs(options.output_path, map_output_names(), {options.log_path});
+  const auto reader = open_logs(options.log_paths, log_options);
+  OutputSet outputs(options.output_path, map_output_names(), options.log_paths);
   const MapRun run = run_map(*reader, options, clock);
   const MapSummary summary = summary_of(run.map);
   require_something_mapped(options, summary);
   write_map_outputs(outputs, options, run, clock);
   tell(summary, seconds_of(clock));
   tell_files(options.output_path, outputs.added());
-  tell_problems(options.log_path, run.problems);
+  tell_problems(options.log_name(), run.problems);
 }
 
 }  // namespace
@@ -102,7 +102,7 @@ void add_map(CLI::App& application) {
   const auto options = std::make_shared<MapOptions>();
   CLI::App* map =
       application.add_subcommand("map", "Map a log: the building, and every scan's pose");
-  add_log_argument(*map, options->log_path);
+  add_log_arguments(*map, options->log_paths);
   map->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
       ->type_name("DIR")
       ->required();

@@ -27,7 +27,7 @@ void write_map_outputs(OutputSet& outputs,
   const auto num_threads = static_cast<int>(options.num_threads);
   make_map_files(
       run.map,
-      {.title = title_of_log(options.log_path),
+      {.title = title_of_log(options.log_name()),
        .pose_of = options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase,
        .num_threads = num_threads,
        .run = record_of(options, run),

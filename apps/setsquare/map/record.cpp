@@ -69,7 +69,7 @@ Json json_of_options(const MapOptions& options) {
 }  // namespace
 
 RunRecord record_of(const MapOptions& options, const MapRun& run) {
-  return {.log = options.log_path,
+  return {.log = options.log_name(),
           .format = run.format,
           .sensor = run.sensor,
           .preset = options.preset == Preset::kPaper ? "paper" : "default",

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/run.hpp"
 
+#include <fmt/format.h>
+
 #include <optional>
 
 #include "apps/setsquare/progress_bar.hpp"
@@ -23,6 +25,11 @@ void feed(LogReader& reader, Add add) {
 }
 
 }  // namespace
+
+std::string MapOptions::log_name() const {
+  const std::size_t num_more = log_paths.size() - 1;
+  return num_more == 0 ? log_paths.front() : fmt::format("{} and {} more", log_paths.front(), num_more);
+}
 
 MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock) {
   MapRun run;

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <vector>
 
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/preset.hpp"
@@ -14,13 +15,16 @@ namespace setsquare::app {
 
 /// What `setsquare map` was asked to do.
 struct MapOptions {
-  std::string log_path;
+  std::vector<std::string> log_paths;  ///< Of one run, in their order.
   std::string output_path;  ///< A directory; made if it is not there.
   LogOptions log;
   Preset preset = Preset::kDefault;
   bool uses_odometry = true;
-  bool is_of_sensor = false;  ///< Poses of the sensor instead of the robot's.
+  bool is_of_sensor = false;           ///< Poses of the sensor instead of the robot's.
   std::size_t num_threads = 1;
+
+  /// How messages and files name the log: its path, or that of the first and how many follow.
+  [[nodiscard]] std::string log_name() const;
 };
 
 /// A log mapped.

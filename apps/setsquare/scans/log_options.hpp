@@ -4,6 +4,7 @@
 
 #include <CLI/App.hpp>
 #include <string>
+#include <vector>
 
 #include "setsquare/io/logs/log_reader.hpp"
 
@@ -12,8 +13,11 @@ namespace setsquare::app {
 /// Adds the positional argument "log". `path` must outlive the application.
 void add_log_argument(CLI::App& subcommand, std::string& path);
 
-/// Adds the options by which every subcommand reads a log: --sensor, --field-of-view,
-/// --angular-step, --max-range. `options` must outlive the application.
+/// The same where several logs of one run may be given.
+void add_log_arguments(CLI::App& subcommand, std::vector<std::string>& paths);
+
+/// Adds the options by which every subcommand reads a log: --sensor, --from, --to, --rate,
+/// --field-of-view, --angular-step, --max-range and others. `options` must outlive the application.
 void add_log_options(CLI::App& subcommand, LogOptions& options);
 
 /// "standard input" for "-", else the last part of the path: how a page or a picture names the log.

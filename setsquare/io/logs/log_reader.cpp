@@ -30,6 +30,12 @@ void LogOptions::validate() const {
   if (bearing_step_rad && !is_in_turn(std::abs(*bearing_step_rad))) {
     throw ParameterError("bearing_step_rad", "must not be 0, and at most one turn");
   }
+  for (const std::optional<double>& limit_s : {window.from_s, window.to_s}) {
+    if (limit_s && !std::isfinite(*limit_s)) throw ParameterError("window", "must be finite");
+  }
+  if (window.max_rate_hz && !(*window.max_rate_hz > 0.0)) {
+    throw ParameterError("window.max_rate_hz", "must be above 0");
+  }
   if (max_range_m && !(*max_range_m > 0.0)) {
     throw ParameterError("max_range_m", "must be above 0");
   }

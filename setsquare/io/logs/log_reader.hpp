@@ -41,7 +41,8 @@ struct LogProblems {
 enum class RecordKind {
   kScan,      ///< One sweep of one laser.
   kOdometry,  ///< A robot pose by odometry alone, without a scan.
-  kTruePose,  ///< The robot's true pose, as a simulator writes it.
+  kTruePose,  ///< The robot's true pose, as a simulator writes it, or a reference by other means.
+  kTurnRate,  ///< The yaw rate of the robot that an inertial unit measured (turn_rad_per_s).
 };
 
 /// One record of a log, whatever the log's format. Fields that a kind does not use are empty.
@@ -57,11 +58,56 @@ struct LogRecord {
   std::uint64_t position = 0;  ///< Line number from 1 in a text log, byte offset in a binary one.
 };
 
+/// A topic of a recording of messages (a bag).
+struct RecordingTopic {
+  std::string name;
+  std::string type;  ///< "sensor_msgs/LaserScan".
+  std::uint64_t num_messages = 0;
+  bool is_read = false;  ///< Whether it is one of those that are made into records.
+};
+
+/// Where a frame stands in its parent: the last transform that the recording has of it.
+struct RecordingFrame {
+  std::string name;
+  std::string parent;
+  bool is_static = false;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double z_m = 0.0;
+  double roll_rad = 0.0;
+  double pitch_rad = 0.0;
+  double yaw_rad = 0.0;
+};
+
+/// What a recording of messages holds, as far as it has been read.
+struct RecordingOverview {
+  std::vector<RecordingTopic> topics;
+  std::vector<RecordingFrame> frames;
+  Timestamp first;                 ///< When its first message was recorded.
+  Timestamp last;                  ///< When its last one was.
+  std::string odometry;            ///< The topic whose odometry is used; empty where there is none.
+  std::string base_frame;          ///< The robot's frame.
+
+  [[nodiscard]] bool empty() const { return topics.empty(); }
+};
+
+/// Which part of a log to read. Times below 1e8 s count from the first scan, others are stamps.
+struct LogWindow {
+  std::optional<double> from_s;
+  std::optional<double> to_s;
+  std::optional<double> max_rate_hz;  ///< Scans per second of each laser; others are left out.
+
+  [[nodiscard]] bool is_open() const { return !from_s && !to_s && !max_rate_hz; }
+};
+
 /// What to read of a log, and what the log itself does not state.
 struct LogOptions {
   /// Which laser's scans: its name in the log, "all", or empty for the front one (the laser whose
   /// mounting looks most nearly forward; of equal ones the first by name).
   std::string sensor;
+  /// Which odometry of a recording that has several: its topic, "/tf" for the frames odom and base,
+  /// or empty for the likeliest.
+  std::string odometry_topic;
   bool scans_only = true;  ///< Leave out the records of kinds other than kScan.
   /// Angles of a message that carries none (FLASER, RLASER): the sweep is symmetric about straight
   /// ahead. By default 180 degrees, whose step is field of view / n for an even number of beams n
@@ -72,6 +118,7 @@ struct LogOptions {
   /// Ranges at or above it are no-returns. By default what the log states, else 50 m (the lowest
   /// code that logs of SICK scanners use for "nothing seen").
   std::optional<double> max_range_m;
+  LogWindow window;
 
   /// Throws ParameterError naming the field that is out of its domain.
   void validate() const;
@@ -101,6 +148,9 @@ class LogReader {
 
   /// How much of the file has been read, 0 to 1; nothing where the size is unknown (a pipe).
   [[nodiscard]] virtual std::optional<double> fraction_read() const = 0;
+
+  /// What else is in a recording of messages (a bag); empty for other logs.
+  [[nodiscard]] virtual RecordingOverview overview() const { return {}; }
 };
 
 }  // namespace setsquare

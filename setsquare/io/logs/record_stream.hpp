@@ -3,9 +3,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
-#include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 
 namespace setsquare {
@@ -29,7 +29,15 @@ class RecordStream {
   [[nodiscard]] virtual bool is_odometry_summed() const { return false; }
 
   [[nodiscard]] virtual std::string format() const = 0;
-  [[nodiscard]] virtual const ByteSource& source() const = 0;
+
+  /// How much has been read, 0 to 1; nothing where the size is unknown.
+  [[nodiscard]] virtual std::optional<double> fraction_read() const = 0;
+
+  /// Why the bytes ended before their time; empty if they did not.
+  [[nodiscard]] virtual std::string damage() const { return {}; }
+
+  /// What else is in a recording of messages; empty for other logs.
+  [[nodiscard]] virtual RecordingOverview overview() const { return {}; }
 
   [[nodiscard]] const LogProblems& problems() const { return problems_; }
   [[nodiscard]] LogProblems& problems() { return problems_; }

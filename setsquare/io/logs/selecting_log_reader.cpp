@@ -145,9 +145,9 @@ void SelectingLogReader::apply_mounting(LogRecord& record) {
 }
 
 const LogRecord* SelectingLogReader::finish() {
-  const std::string gzip_damage = stream_->source().damage();
-  if (!is_end_reported_ && !gzip_damage.empty()) {
-    stream_->problems().remarks.push_back(gzip_damage + "; the log was read up to there");
+  const std::string damage_of_bytes = stream_->damage();
+  if (!is_end_reported_ && !damage_of_bytes.empty()) {
+    stream_->problems().remarks.push_back(damage_of_bytes + "; the log was read up to there");
   }
   is_end_reported_ = true;
   const bool is_one_wanted = !options_.sensor.empty() && options_.sensor != "all";

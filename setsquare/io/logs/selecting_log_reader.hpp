@@ -25,7 +25,8 @@ class SelectingLogReader final : public LogReader {
   const LogProblems& problems() const override { return stream_->problems(); }
   std::string front_sensor() const override { return front_sensor_; }
   std::string format() const override { return stream_->format(); }
-  std::optional<double> fraction_read() const override { return stream_->source().fraction_read(); }
+  std::optional<double> fraction_read() const override { return stream_->fraction_read(); }
+  RecordingOverview overview() const override { return stream_->overview(); }
 
  private:
   struct Mounting {

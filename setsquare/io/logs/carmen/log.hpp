@@ -19,7 +19,8 @@ class CarmenLog final : public RecordStream {
   bool read(LogRecord& record) override;
   double mounting_rounding() const override { return state_.pose_rounding; }
   std::string format() const override { return "CARMEN log"; }
-  const ByteSource& source() const override { return input_->source(); }
+  std::optional<double> fraction_read() const override { return input_->source().fraction_read(); }
+  std::string damage() const override { return input_->source().damage(); }
 
  private:
   std::unique_ptr<InputBuffer> input_;

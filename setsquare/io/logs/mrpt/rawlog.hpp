@@ -33,7 +33,8 @@ class MrptRawlog final : public RecordStream {
   double mounting_rounding() const override { return 0.0; }
   bool is_odometry_summed() const override { return is_odometry_summed_; }
   std::string format() const override { return "MRPT rawlog"; }
-  const ByteSource& source() const override { return input_->source(); }
+  std::optional<double> fraction_read() const override { return input_->source().fraction_read(); }
+  std::string damage() const override { return input_->source().damage(); }
 
  private:
   enum class Step { kRecord, kOther, kEnd };

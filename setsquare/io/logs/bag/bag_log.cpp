@@ -1,0 +1,360 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/io/logs/bag/bag_log.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+#include <utility>
+
+#include "setsquare/io/logs/bag/topic_role.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Topics whose log time minus stamp differs by more have stamps of different clocks.
+constexpr std::int64_t kMaxClockDifference_ns = 5'000'000'000;
+
+/// Frames of robots, the likelier first, and frames in which robots move (REP 105).
+constexpr std::string_view kBaseFrames[] = {"base_link", "base_footprint", "base"};
+constexpr std::string_view kOdometryFrames[] = {"odom", "odom_combined"};
+constexpr std::string_view kWorldFrames[] = {"odom", "odom_combined", "map", "world", "earth"};
+
+template <typename Names>
+bool is_one_of(const Names& names, std::string_view name) {
+  return std::find(std::begin(names), std::end(names), name) != std::end(names);
+}
+
+Pose2 flattened(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& orientation) {
+  const Eigen::Vector3d forward = orientation.normalized() * Eigen::Vector3d::UnitX();
+  return {position_m.x(), position_m.y(), std::atan2(forward.y(), forward.x())};
+}
+
+bool is_finite(const Pose2& pose) {
+  return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
+}
+
+}  // namespace
+
+BagLog::BagLog(std::unique_ptr<MessageSource> source, const LogOptions& options)
+    : source_(std::move(source)), options_(options), odometry_(options.odometry_topic) {
+  source_->set_wanted([](const MessageTopic& topic) { return role_of(topic) != TopicRole::kNone; });
+}
+
+bool BagLog::read(LogRecord& record) {
+  for (;;) {
+    if (!pending_.empty() && is_ready(pending_.front())) {
+      const bool is_good = complete(pending_.front());
+      if (is_good) std::swap(record, pending_.front().record);
+      spare_.push_back(std::move(pending_.front()));
+      pending_.pop_front();
+      if (is_good) return true;
+      continue;
+    }
+    if (is_at_end_) return false;
+    Message message;
+    if (source_->read(message)) {
+      take(message);
+    } else {
+      is_at_end_ = true;
+      remark_at_end();
+    }
+  }
+}
+
+// --- Messages taken in ------------------------------------------------------------------------
+
+void BagLog::take(const Message& message) {
+  first_log_time_ = std::min(first_log_time_.value_or(message.log_time), message.log_time);
+  last_log_time_ = std::max(last_log_time_, message.log_time);
+  const auto [entry, is_new] =
+      readers_.try_emplace(message.topic, source_->topics()[message.topic]);
+  const TopicRole role = entry->second.role;
+  if (role == TopicRole::kScan || role == TopicRole::kMultiEchoScan) has_scan_topic_ = true;
+  std::visit(
+      [&](auto& topic) {
+        if constexpr (!std::is_same_v<std::decay_t<decltype(topic)>, std::monostate>) {
+          if (is_new && !topic.decoder.remark().empty()) {
+            remark_once(topic_name(message) + ": " + topic.decoder.remark());
+          }
+          const std::string_view fault = topic.decoder.decode(message.data, topic.message);
+          if (fault.empty()) {
+            dispatch(topic.message, message, role);
+          } else {
+            add_damage(message, fault);
+          }
+        }
+      },
+      *entry->second.decoder);
+}
+
+void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole role) {
+  const Timestamp stamp = stamp_of(scan.stamp, message);
+  Pending& pending = add_pending(RecordKind::kScan, message, stamp);
+  pending.scan = scan;
+  pending.scan.stamp = stamp;
+  pending.scan.frame_id = ros::plain_frame_name(scan.frame_id);
+  pending.is_of_cloud = role == TopicRole::kPointCloud;
+}
+
+void BagLog::dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role) {
+  ros::choose_echoes(scan, options_.echo);
+  dispatch(static_cast<const ros::LaserScan&>(scan), message, role);
+}
+
+void BagLog::dispatch(const ros::PointCloud2& cloud, const Message& message, TopicRole role) {
+  if (has_scan_topic_ && options_.sensor != topic_name(message)) return;
+  ros::LaserScan scan;
+  const std::string_view fault = ros::slice(cloud, options_.slice, scan);
+  if (fault.empty()) {
+    dispatch(scan, message, role);
+  } else {
+    add_damage(message, fault);
+  }
+}
+
+void BagLog::dispatch(const ros::Odometry& odometry, const Message& message, TopicRole role) {
+  const Timestamp stamp = stamp_of(odometry.stamp, message);
+  const Pose2 pose = flattened(odometry.position_m, odometry.orientation);
+  if (!is_finite(pose)) return add_damage(message, "a pose that is not finite");
+  if (role == TopicRole::kReferenceOdometry) {
+    add_pending(RecordKind::kTruePose, message, stamp).record.T_map_base = pose;
+    return;
+  }
+  add_odometry(topic_name(message), message, stamp, pose, odometry.child_frame_id);
+  if (topic_name(message) != odometry_.chosen()) return;
+  LogRecord& record = add_pending(RecordKind::kOdometry, message, stamp).record;
+  record.T_odom_base = pose;
+  record.forward_m_per_s = odometry.velocity_m_per_s.x();
+  record.turn_rad_per_s = odometry.turn_rate_rad_per_s.z();
+}
+
+void BagLog::dispatch(const ros::PoseStamped& pose, const Message& message, TopicRole /*role*/) {
+  const Pose2 flat = flattened(pose.position_m, pose.orientation);
+  if (!is_finite(flat)) return add_damage(message, "a pose that is not finite");
+  add_pending(RecordKind::kTruePose, message, stamp_of(pose.stamp, message)).record.T_map_base =
+      flat;
+}
+
+void BagLog::dispatch(const ros::Imu& imu, const Message& message, TopicRole /*role*/) {
+  if (!imu.has_turn_rate() || !imu.turn_rate_rad_per_s.allFinite()) return;
+  const Timestamp stamp = stamp_of(imu.stamp, message);
+  const ros::TransformLookup mounting =
+      mounting_of(std::string(ros::plain_frame_name(imu.frame_id)), stamp);
+  const Eigen::Vector3d of_base = mounting.T_target_source.linear() * imu.turn_rate_rad_per_s;
+  add_pending(RecordKind::kTurnRate, message, stamp).record.turn_rad_per_s = of_base.z();
+}
+
+void BagLog::dispatch(const ros::TfMessage& transforms, const Message& message, TopicRole role) {
+  for (const ros::TransformStamped& transform : transforms.transforms) {
+    add_transform(transform, message, role);
+  }
+}
+
+void BagLog::add_transform(const ros::TransformStamped& transform,
+                           const Message& message,
+                           TopicRole role) {
+  const bool is_static = role == TopicRole::kStaticTransforms;
+  const ros::TransformFault fault =
+      is_static ? tree_.add_static(transform) : tree_.add(transform);
+  if (fault != ros::TransformFault::kNone) {
+    remark_once(fmt::format("{}: transform {} -> {}: {}",
+                            topic_name(message),
+                            transform.frame_id,
+                            transform.child_frame_id,
+                            ros::to_text(fault)));
+  }
+  const std::string_view child = ros::plain_frame_name(transform.child_frame_id);
+  if (is_static || !is_one_of(kOdometryFrames, ros::plain_frame_name(transform.frame_id))) return;
+  const Pose2 pose = flattened(transform.translation_m, transform.rotation);
+  if (!is_finite(pose)) return;
+  const Timestamp stamp = stamp_of(transform.stamp, message);
+  add_odometry(BagOdometry::kTransforms, message, stamp, pose, child);
+  if (odometry_.chosen() == BagOdometry::kTransforms) {
+    add_pending(RecordKind::kOdometry, message, stamp).record.T_odom_base = pose;
+  }
+}
+
+void BagLog::add_odometry(const std::string& topic,
+                          const Message& message,
+                          Timestamp stamp,
+                          const Pose2& T_odom_base,
+                          std::string_view base_frame) {
+  odometry_clock_offset_ns_.try_emplace(topic, message.log_time.ns - stamp.ns);
+  odometry_.add(topic, stamp, T_odom_base, std::string(ros::plain_frame_name(base_frame)));
+}
+
+BagLog::Pending& BagLog::add_pending(RecordKind kind, const Message& message, Timestamp stamp) {
+  if (spare_.empty()) {
+    pending_.emplace_back();
+  } else {
+    pending_.push_back(std::move(spare_.back()));
+    spare_.pop_back();
+  }
+  Pending& pending = pending_.back();
+  LogRecord& record = pending.record;
+  record.kind = kind;
+  record.sensor = topic_name(message);
+  record.stamp = stamp;
+  record.T_odom_base.reset();
+  record.T_map_base.reset();
+  record.forward_m_per_s.reset();
+  record.turn_rad_per_s.reset();
+  record.position = message.position;
+  pending.arrival = message.log_time;
+  pending.clock_offset_ns = message.log_time.ns - stamp.ns;
+  pending.is_of_cloud = false;
+  return pending;
+}
+
+// --- Records handed on ------------------------------------------------------------------------
+
+bool BagLog::is_ready(const Pending& pending) const {
+  if (is_at_end_ || pending_.size() >= kMaxPending) return true;
+  if (pending.record.kind != RecordKind::kScan) return true;
+  return is_mounting_settled(pending) && is_odometry_settled(pending);
+}
+
+bool BagLog::is_mounting_settled(const Pending& pending) const {
+  const std::string& frame = pending.scan.frame_id;
+  const double waited_s = seconds_between(pending.arrival, last_log_time_);
+  if (frame.empty() || unplaced_frames_.contains(frame) || waited_s > kMaxWaitForFrame_s) {
+    return true;
+  }
+  if (pending.is_of_cloud && !has_scan_topic_) return false;  // scans may come
+  const ros::TransformLookup mounting = mounting_of(frame, pending.record.stamp);
+  if (mounting.is_found()) return true;
+  const bool may_come_soon = mounting.status == ros::LookupStatus::kOutsideOfTime;
+  return may_come_soon && waited_s > kMaxWaitForOdometry_s;
+}
+
+bool BagLog::is_odometry_settled(const Pending& pending) const {
+  const double waited_s = seconds_between(pending.arrival, last_log_time_);
+  if (odometry_.chosen().empty()) {
+    const bool may_come =
+        seconds_between(*first_log_time_, last_log_time_) < kMaxWaitForFrame_s;
+    return !may_come;
+  }
+  return waited_s > kMaxWaitForOdometry_s || odometry_.reaches(in_odometry_clock(pending));
+}
+
+bool BagLog::complete(Pending& pending) {
+  if (pending.record.kind != RecordKind::kScan) return true;
+  if (pending.is_of_cloud && has_scan_topic_ && options_.sensor != pending.record.sensor) {
+    return false;
+  }
+  odometry_.settle();
+  const std::string& frame = pending.scan.frame_id;
+  ros::TransformLookup mounting;
+  if (!unplaced_frames_.contains(frame)) mounting = mounting_of(frame, pending.record.stamp);
+  if (!mounting.is_found() && unplaced_frames_.insert(frame).second) {
+    remark_once(fmt::format(
+        "{}: the laser's place on the robot is not known ({}); taken to be at the robot's frame",
+        pending.record.sensor,
+        mounting.reason.empty() ? "its messages name no frame" : mounting.reason));
+  }
+  pending.record.T_odom_base = odometry_.at(in_odometry_clock(pending));
+  const ros::ScanConversion converted =
+      ros::to_scan(pending.scan, mounting.T_target_source, pending.record.scan);
+  for (const std::string& remark : converted.remarks) {
+    remark_once(pending.record.sensor + ": " + remark);
+  }
+  if (converted.fault.empty()) return true;
+  problems().add(fmt::format("offset {}", pending.record.position),
+                 pending.record.sensor + ": " + converted.fault);
+  return false;
+}
+
+ros::TransformLookup BagLog::mounting_of(const std::string& frame, Timestamp stamp) const {
+  const std::string base = odometry_.base_frame();
+  if (!base.empty()) {
+    ros::TransformLookup found = tree_.look_up(base, frame, stamp, kMaxWaitForOdometry_s);
+    if (found.is_found() || found.status == ros::LookupStatus::kOutsideOfTime) return found;
+  }
+  return tree_.look_up(base_frame_of(frame), frame, stamp, kMaxWaitForOdometry_s);
+}
+
+std::string BagLog::base_frame_of(const std::string& frame) const {
+  std::map<std::string, std::string> parents;
+  for (const ros::TransformTree::Link& link : tree_.links()) parents[link.child] = link.parent;
+  std::string topmost = frame;
+  for (std::size_t step = 0; step <= parents.size(); ++step) {
+    if (is_one_of(kBaseFrames, topmost)) return topmost;
+    const auto parent = parents.find(topmost);
+    if (parent == parents.end() || is_one_of(kWorldFrames, parent->second)) break;
+    topmost = parent->second;
+  }
+  return topmost;
+}
+
+Timestamp BagLog::in_odometry_clock(const Pending& pending) const {
+  const auto offset = odometry_clock_offset_ns_.find(odometry_.chosen());
+  if (offset == odometry_clock_offset_ns_.end()) return pending.record.stamp;
+  const std::int64_t difference_ns = pending.clock_offset_ns - offset->second;
+  if (std::abs(difference_ns) <= kMaxClockDifference_ns) return pending.record.stamp;
+  return {pending.record.stamp.ns + difference_ns};
+}
+
+// --- What is told -----------------------------------------------------------------------------
+
+const std::string& BagLog::topic_name(const Message& message) const {
+  return source_->topics()[message.topic].name;
+}
+
+Timestamp BagLog::stamp_of(Timestamp header, const Message& message) {
+  if (header.ns != 0 && std::abs(header.ns) <= kMaxStamp_ns) return header;
+  ++num_without_stamp_[topic_name(message)];
+  return message.log_time;
+}
+
+void BagLog::add_damage(const Message& message, std::string_view reason) {
+  problems().add(fmt::format("offset {}", message.position),
+                 fmt::format("{}: {}", topic_name(message), reason));
+}
+
+void BagLog::remark_once(const std::string& remark) {
+  constexpr std::size_t kMaxRemarks = 100;
+  if (remarks_made_.size() < kMaxRemarks && remarks_made_.insert(remark).second) {
+    problems().remarks.push_back(remark);
+  }
+}
+
+void BagLog::remark_at_end() {
+  for (const auto& [topic, count] : num_without_stamp_) {
+    remark_once(fmt::format(
+        "{}: {} messages carry no usable stamp; the time of recording is used", topic, count));
+  }
+  if (!odometry_.others().empty() && options_.odometry_topic.empty()) {
+    remark_once(fmt::format("odometry is taken from {}, not from {} (--odometry-topic chooses)",
+                            odometry_.chosen(),
+                            fmt::join(odometry_.others(), ", ")));
+  }
+  for (const LogProblem& problem : source_->problems().first) {
+    problems().add(problem.location, problem.reason);
+  }
+  problems().num_damaged += source_->problems().num_damaged - source_->problems().first.size();
+  for (const std::string& remark : source_->problems().remarks) remark_once(remark);
+}
+
+RecordingOverview BagLog::overview() const {
+  RecordingOverview overview;
+  for (std::size_t i = 0; i < source_->topics().size(); ++i) {
+    const MessageTopic& topic = source_->topics()[i];
+    overview.topics.push_back({topic.name,
+                               topic.type,
+                               source_->num_messages()[i],
+                               role_of(topic) != TopicRole::kNone});
+  }
+  for (const ros::TransformTree::Link& link : tree_.links()) {
+    overview.frames.push_back({.name = link.child, .parent = link.parent, .is_static = link.is_static});
+  }
+  overview.first = first_log_time_.value_or(Timestamp{});
+  overview.last = last_log_time_;
+  overview.odometry = odometry_.chosen();
+  overview.base_frame = odometry_.base_frame();
+  return overview;
+}
+
+}  // namespace setsquare
