@@ -117,7 +117,7 @@ std::string heading_text(const HeadingJudgement& judgement, std::size_t num_seed
 Goal heading_goal(const std::optional<CircuitStudy>& study) {
   Goal goal{
       "Large building, --preset paper in sequence (the nearest of the four offsets): heading "
-      "error along the track; beside it the literal choice of the offset",
+      "error along the track; then with the literal choice of the offset",
       "no errors in the direction",
       "no growth with distance, <= 0.5 deg at the end",
       "-",

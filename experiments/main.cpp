@@ -132,7 +132,7 @@ int run_paper(const ExperimentOptions& options) {
 CLI::App* add_paper(CLI::App& application, ExperimentOptions& options) {
   options.params.num_threads = std::max(1U, std::thread::hardware_concurrency());
   CLI::App* paper = application.add_subcommand(
-      "paper", "The experiments of Bando, Tsubouchi and Yuta 2014, theirs beside ours");
+      "paper", "The experiments of Bando, Tsubouchi and Yuta 2014, their results and ours");
   paper->add_option("-o,--output", options.output_path, "Folder for the results")->required();
   paper->add_option("--only", options.params.sections, "Only these sections, separated by commas")
       ->delimiter(',')
@@ -142,7 +142,7 @@ CLI::App* add_paper(CLI::App& application, ExperimentOptions& options) {
   paper->add_flag("--quick", options.params.is_quick, "A few seeds of everything");
   paper->add_flag("--check-goals",
                   options.checks_goals,
-                  "Print what this project set out to reach beside what it reached; exit code 1 "
+                  "Print what this project set out to reach and what it reached; exit code 1 "
                   "where a minimum is missed");
   paper->footer(
       "Writes paper.html (one page that needs no other file) and paper.json (all numbers).\n"

@@ -92,24 +92,29 @@ std::string listing_text(const char* title, const std::vector<ListedPair>& pairs
   return text;
 }
 
+/// The heads of a table of pairs; the first column is what it goes by.
+std::vector<std::string> pair_heads(const std::string& first) {
+  return {first,
+          "pairs",
+          ">= 45 %",
+          "right",
+          "right at 30-45 %",
+          "matched",
+          "wrong",
+          "of matched",
+          "error [m]",
+          "[deg]",
+          "NEES",
+          "< 7.81"};
+}
+
 std::string building_text(const BuildingStudy& study) {
   const std::vector<BuildingSummary> summaries = summarise_by_class(study);
   const BuildingSummary& all = summaries.back();
   TextTable table{
       "Pairs in many buildings; right: of the pairs that the plan determines; NEES: of "
       "the right matched",
-      {"class",
-       "pairs",
-       ">= 45 %",
-       "right",
-       "right at 30-45 %",
-       "matched",
-       "wrong",
-       "of matched",
-       "error [m]",
-       "[deg]",
-       "NEES",
-       "< 7.81"},
+      pair_heads("class"),
       {}};
   for (const BuildingSummary& summary : summaries) {
     table.rows.push_back(class_row(summary.name + ", default", summary.ours));
@@ -146,22 +151,9 @@ std::string factor_text(const FactorStudy& study) {
     const auto next = std::find_if(first, study.outcomes.end(), [&](const FactorOutcome& outcome) {
       return outcome.factor != first->factor;
     });
-    TextTable table{"",
-                    {first->factor,
-                     "pairs",
-                     ">= 45 %",
-                     "right",
-                     "right at 30-45 %",
-                     "matched",
-                     "wrong",
-                     "of matched",
-                     "error [m]",
-                     "[deg]",
-                     "NEES",
-                     "< 7.81",
-                     "paper: right",
-                     "paper: wrong of matched"},
-                    {}};
+    std::vector<std::string> heads = pair_heads(first->factor);
+    heads.insert(heads.end(), {"paper: right", "paper: wrong of matched"});
+    TextTable table{"", std::move(heads), {}};
     for (; first != next; ++first) table.rows.push_back(level_row(*first));
     text += text_of(table);
   }

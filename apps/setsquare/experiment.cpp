@@ -25,7 +25,7 @@ namespace {
 constexpr const char* kProgram = "setsquare-experiment";
 constexpr const char* kWhatToBuild =
     "it is a program of its own: build it (cmake --build --preset release --target "
-    "setsquare_experiment) or install it beside setsquare";
+    "setsquare_experiment) or install it into the folder of setsquare";
 
 bool is_program(const std::filesystem::path& path) {
   std::error_code error;

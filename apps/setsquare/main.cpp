@@ -12,6 +12,7 @@ namespace {
 void add_subcommands(CLI::App& application) {
   setsquare::app::add_info(application);
   setsquare::app::add_map(application);
+  setsquare::app::add_convert(application);
   setsquare::app::add_evaluate(application);
   setsquare::app::add_match(application);
   setsquare::app::add_explain(application);
@@ -35,6 +36,8 @@ int main(int argc, char** argv) {
     application.footer(  // after the subcommands, which would inherit it
         "Examples:\n"
         "  setsquare map intel.clf -o out\n"
+        "  setsquare map my_bag -o out\n"
+        "  setsquare convert my_bag scans.jsonl\n"
         "  setsquare simulate --building office -o sim\n"
         "  setsquare match intel.clf 100 140\n"
         "  setsquare explain intel.clf 100 140 -o match.html\n"

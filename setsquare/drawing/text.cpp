@@ -38,12 +38,6 @@ std::size_t length_of_character(std::string_view text) {
 
 }  // namespace
 
-std::string joined(std::initializer_list<std::string_view> pieces) {
-  std::string text;
-  for (const std::string_view piece : pieces) text += piece;
-  return text;
-}
-
 std::string fixed(double value, int num_decimals) {
   assert(num_decimals >= 0 && num_decimals <= 9);
   std::string text = fmt::format("{:.{}f}", value, num_decimals);

@@ -2,17 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <initializer_list>
 #include <string>
 #include <string_view>
 
 namespace setsquare {
 /// Which part of a line of text stands at its position.
 enum class TextAnchor { kStart, kMiddle, kEnd };
-
-/// The pieces one after the other. For the experiments only, until they are drawn by a web
-/// template; elsewhere fmt::format.
-[[nodiscard]] std::string joined(std::initializer_list<std::string_view> pieces);
 
 /// A number with this many decimals (0 to 9), a point whatever the locale; "nan" and "inf" for
 /// what is no number; never "-0.00".

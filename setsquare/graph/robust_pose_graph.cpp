@@ -289,7 +289,7 @@ void solve_robustly(PoseGraph& graph,
                     const RobustPoseGraphParams& params) {
   params.validate();
   if (!groups.empty() && groups.size() != graph.constraints.size()) {
-    throw ParameterError("groups", "must have one entry a constraint, or none");
+    throw ParameterError("groups", "must have one entry per constraint, or none");
   }
   if (graph.T_map_node.empty()) return;
   Graduation graduation(graph, groups, params);

@@ -50,6 +50,5 @@ TEST(Text, WhatIsNoUtf8BecomesTheReplacementCharacter) {
   EXPECT_EQ(escape_xml("\xc2\x85\x7f\t"), mark + mark + mark + mark);    // controls
 }
 
-TEST(Text, JoinsPieces) { EXPECT_EQ(joined({"a", "", "bc"}), "abc"); }
 
 }  // namespace setsquare::text_test

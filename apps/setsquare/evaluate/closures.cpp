@@ -319,7 +319,7 @@ void add_evaluate_closures(CLI::App& evaluate) {
       ->required();
   closures->add_option("--trajectory", options->trajectory_path, "The map's trajectory, TUM format")
       ->type_name("FILE")
-      ->default_str("trajectory.tum beside the closures");
+      ->default_str("trajectory.tum in the folder of the closures");
   add_choice<std::optional<ReferenceKind>, ReferenceKind>(
       *closures,
       "--reference-kind",

@@ -48,7 +48,7 @@ void add_time_difference_option(CLI::App& subcommand, double& seconds) {
   seconds = 0.02;
   subcommand
       .add_option(
-          "--max-time-difference", seconds, "Poses at most so many seconds apart are of one moment")
+          "--max-time-difference", seconds, "Largest difference of two stamps of the same moment")
       ->check(number_from(0.0, 3600.0))
       ->type_name("S");
 }

@@ -169,15 +169,15 @@ void add_evaluate_rpe(CLI::App& evaluate) {
       evaluate.add_subcommand("rpe", "Relative error of a trajectory against a true trajectory");
   add_files(*rpe, options->files);
   CLI::Option* metres =
-      rpe->add_option("--delta-m", options->delta_m, "Over so many metres of the true path")
+      rpe->add_option("--delta-m", options->delta_m, "Over this length of the true path")
           ->check(number_from(1e-3, 1e9))
           ->type_name("M");
-  CLI::Option* seconds = rpe->add_option("--delta-s", options->delta_s, "Instead: over seconds")
+  CLI::Option* seconds = rpe->add_option("--delta-s", options->delta_s, "Instead: over this time")
                              ->check(number_from(1e-3, 1e9))
                              ->excludes(metres)
                              ->default_str("")
                              ->type_name("S");
-  rpe->add_option("--delta-poses", options->delta_poses, "Instead: over so many poses")
+  rpe->add_option("--delta-poses", options->delta_poses, "Instead: over this number of poses")
       ->check(number_from(1.0, 1e9))
       ->excludes(metres)
       ->excludes(seconds)

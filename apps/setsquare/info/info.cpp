@@ -40,6 +40,7 @@ void tell_info(const InfoOptions& options) {
   report.format = reader->format();
   report.front_sensor = reader->front_sensor();
   report.problems = reader->problems();
+  report.recording = reader->overview();
   if (options.is_json) {
     print_info_json(report, std::cout);
   } else {

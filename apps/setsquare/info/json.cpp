@@ -67,6 +67,36 @@ Json json_from(const LogProblems& problems) {
   return {{"num_damaged", problems.num_damaged}, {"first", first}, {"remarks", problems.remarks}};
 }
 
+Json json_from(const RecordingOverview& recording) {
+  if (recording.empty()) return nullptr;
+  const double degrees = deg_from_rad(1.0);
+  Json topics = Json::array();
+  for (const RecordingTopic& topic : recording.topics) {
+    topics.push_back({{"name", topic.name},
+                      {"type", topic.type},
+                      {"num_messages", topic.num_messages},
+                      {"is_read", topic.is_read}});
+  }
+  Json frames = Json::array();
+  for (const RecordingFrame& frame : recording.frames) {
+    frames.push_back({{"name", frame.name},
+                      {"parent", frame.parent},
+                      {"is_static", frame.is_static},
+                      {"x_m", frame.x_m},
+                      {"y_m", frame.y_m},
+                      {"z_m", frame.z_m},
+                      {"roll_deg", degrees * frame.roll_rad},
+                      {"pitch_deg", degrees * frame.pitch_rad},
+                      {"yaw_deg", degrees * frame.yaw_rad}});
+  }
+  return {{"first", to_string(recording.first)},
+          {"last", to_string(recording.last)},
+          {"topics", topics},
+          {"frames", frames},
+          {"odometry", recording.odometry},
+          {"base_frame", recording.base_frame}};
+}
+
 }  // namespace
 
 void print_info_json(const InfoReport& report, std::ostream& out) {
@@ -79,6 +109,7 @@ void print_info_json(const InfoReport& report, std::ostream& out) {
   const Json json = {{"path", report.path},
                      {"format", report.format},
                      {"front_sensor", report.front_sensor},
+                     {"recording", json_from(report.recording)},
                      {"lasers", lasers},
                      {"scan_odometry", scan_odometry},
                      {"odometry_records", json_from(report.survey.wheel_odometry)},

@@ -69,6 +69,35 @@ void print_sensor(const std::string& name,
   if (!sensor.codes.empty()) out << "  codes      " << text_of_codes(sensor) << "\n";
 }
 
+void print_recording(const RecordingOverview& recording, std::ostream& out) {
+  if (recording.empty()) return;
+  const double duration_s = seconds_between(recording.first, recording.last);
+  out << fmt::format("\nrecording of {:.1f} s\n", duration_s);
+  for (const RecordingTopic& topic : recording.topics) {
+    out << fmt::format("  {:<28} {:<36} {:>8}", topic.name, topic.type, topic.num_messages);
+    if (duration_s > 0.0 && topic.num_messages > 1) {
+      out << fmt::format("  {:.1f} Hz", static_cast<double>(topic.num_messages) / duration_s);
+    }
+    out << (topic.is_read ? "\n" : "  (not read)\n");
+  }
+  if (!recording.frames.empty()) out << "frames\n";
+  for (const RecordingFrame& frame : recording.frames) {
+    out << fmt::format(
+        "  {} -> {}{}: x {:.3f}, y {:.3f}, z {:.3f} m, roll {:.1f}, pitch {:.1f}, yaw {:.1f} deg\n",
+        frame.parent,
+        frame.name,
+        frame.is_static ? "" : " (moving)",
+        frame.x_m,
+        frame.y_m,
+        frame.z_m,
+        deg_from_rad(frame.roll_rad),
+        deg_from_rad(frame.pitch_rad),
+        deg_from_rad(frame.yaw_rad));
+  }
+  out << "odometry is read from " << (recording.odometry.empty() ? "nothing" : recording.odometry)
+      << "\n";
+}
+
 void print_odometry(const char* name, const OdometrySurvey& odometry, std::ostream& out) {
   if (odometry.num_poses == 0) return;
   out << fmt::format(
@@ -87,6 +116,7 @@ void print_info(const InfoReport& report, std::ostream& out) {
   for (const auto& [name, sensor] : report.survey.sensors) {
     print_sensor(name, name == report.front_sensor, sensor, out);
   }
+  print_recording(report.recording, out);
   out << "\nodometry\n";
   bool has_odometry = report.survey.wheel_odometry.num_poses > 0;
   for (const auto& [name, odometry] : report.survey.scan_odometry) {

@@ -18,6 +18,7 @@ struct InfoReport {
   std::string front_sensor;
   LogSurvey survey;
   LogProblems problems;
+  RecordingOverview recording;  ///< Empty unless the log is one of messages.
 };
 
 /// What is wrong with the log, one sentence each; empty where nothing was found.

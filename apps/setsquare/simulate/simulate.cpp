@@ -71,7 +71,7 @@ void add_simulate(CLI::App& application) {
       "The same options give the same files; all of them come at the end, or none.\n"
       "In an SVG plan the map's x is the drawing's x and the map's y its y turned up (-y), times\n"
       "--plan-scale; a class or data-material of wall, door, glass, pillar, furniture or clutter\n"
-      "tells what a shape or a group is made of.\n"
+      "says what a shape or a group is made of.\n"
       "Examples:\n"
       "  setsquare simulate --building office --seed 7 -o sim\n"
       "  setsquare simulate --building wings --scanner low-cost-360 --no-people -o sim\n"

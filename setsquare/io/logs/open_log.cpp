@@ -6,10 +6,13 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bags/open_recording.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
+#include "setsquare/io/logs/bag/bag_log.hpp"
 #include "setsquare/io/logs/carmen/log.hpp"
 #include "setsquare/io/logs/mrpt/rawlog.hpp"
 #include "setsquare/io/logs/selecting_log_reader.hpp"
+#include "setsquare/io/logs/time_window.hpp"
 
 namespace setsquare {
 namespace {
@@ -22,15 +25,10 @@ struct OtherFormat {
 };
 
 /// Formats that we recognise only to say what the file is.
-constexpr OtherFormat kOtherFormats[] = {{"#ROSBAG V", "a ROS 1 bag"},
-                                         {"\x89MCAP0", "an MCAP file"},
-                                         {"SQLite format 3", "an SQLite file (a ROS 2 bag?)"},
-                                         {"PK\x03\x04", "a zip archive"},
-                                         {"BZh", "a bzip2 file"},
+constexpr OtherFormat kOtherFormats[] = {{"PK\x03\x04", "a zip archive"},
                                          {"\xfd"
                                           "7zXZ",
-                                          "an xz file"},
-                                         {"\x28\xb5\x2f\xfd", "a Zstandard file"}};
+                                          "an xz file"}};
 
 std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
                                           const std::string& name,
@@ -45,14 +43,31 @@ std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
     if (!beginning.starts_with(other.magic)) continue;
     throw FormatError(name, "", std::string(other.name) + ", which cannot be read as a log");
   }
+  if (auto recording = recording_in(input, name)) {
+    return std::make_unique<BagLog>(std::move(recording), options);
+  }
   if (is_mrpt_rawlog(beginning)) return std::make_unique<MrptRawlog>(std::move(input), options);
   if (is_carmen_log(beginning)) return std::make_unique<CarmenLog>(std::move(input), options);
-  throw FormatError(name, "", "neither a CARMEN log nor an MRPT rawlog");
+  throw FormatError(name,
+                    "",
+                    "neither a ROS bag, a CARMEN log, JSON lines, a CSV table of scans nor an MRPT rawlog");
+}
+
+std::unique_ptr<LogReader> reader_of(std::unique_ptr<RecordStream> stream,
+                                     const std::string& name,
+                                     const LogOptions& options) {
+  return within(options.window,
+                std::make_unique<SelectingLogReader>(std::move(stream), name, options),
+                name);
 }
 
 }  // namespace
 
 std::unique_ptr<LogReader> open_log(const std::string& path, const LogOptions& options) {
+  options.validate();
+  if (auto recording = open_recording_at(path)) {
+    return reader_of(std::make_unique<BagLog>(std::move(recording), options), path, options);
+  }
   return open_log(open_file_source(path), path == "-" ? "standard input" : path, options);
 }
 
@@ -61,8 +76,7 @@ std::unique_ptr<LogReader> open_log(std::unique_ptr<ByteSource> source,
                                     const LogOptions& options) {
   options.validate();
   auto input = std::make_unique<InputBuffer>(unpack(std::move(source)));
-  return std::make_unique<SelectingLogReader>(
-      make_stream(std::move(input), name, options), name, options);
+  return reader_of(make_stream(std::move(input), name, options), name, options);
 }
 
 }  // namespace setsquare

@@ -11,7 +11,8 @@ namespace setsquare {
 
 class ByteSource;  // setsquare/io/bytes/byte_source.hpp
 
-/// Opens a log, plain or gzip, "-" for standard input. The format is recognised by content.
+/// Opens a log: a file, plain or packed, the folder of a ROS 2 bag, or "-" for standard input. The
+/// format is recognised by content.
 /// Throws FileError (no such file, a directory, not permitted), FormatError (empty, or no log that
 /// we know), ParameterError (options).
 [[nodiscard]] std::unique_ptr<LogReader> open_log(const std::string& path,

@@ -43,7 +43,7 @@ void draw_scale_bar(Image& image,
     const PixelPoint to(start.x() + length_px * (part + 1) / kNumParts, high.y());
     fill_rectangle(image, from, to, palette::kPaper);
   }
-  const std::string label = joined({fixed(length_m, decimals_for_step(length_m)), " m"});
+  const std::string label = fixed(length_m, decimals_for_step(length_m)) + " m";
   const PixelPoint words = start + PixelPoint(length_px + letter_px, 0.5 * letter_px);
   draw_text(image, words, label, letter_px, palette::kInk);
 }

@@ -256,14 +256,11 @@ bool BagLog::complete(Pending& pending) {
         mounting.reason.empty() ? "its messages name no frame" : mounting.reason));
   }
   pending.record.T_odom_base = odometry_.at(in_odometry_clock(pending));
-  const ros::ScanConversion converted =
-      ros::to_scan(pending.scan, mounting.T_target_source, pending.record.scan);
-  for (const std::string& remark : converted.remarks) {
-    remark_once(pending.record.sensor + ": " + remark);
-  }
-  if (converted.fault.empty()) return true;
+  const std::string_view fault = placed_[pending.record.sensor].place(
+      pending.scan, mounting.T_target_source, pending.record.scan);
+  if (fault.empty()) return true;
   problems().add(fmt::format("offset {}", pending.record.position),
-                 pending.record.sensor + ": " + converted.fault);
+                 fmt::format("{}: {}", pending.record.sensor, fault));
   return false;
 }
 
@@ -326,6 +323,9 @@ void BagLog::remark_at_end() {
     remark_once(fmt::format(
         "{}: {} messages carry no usable stamp; the time of recording is used", topic, count));
   }
+  for (const auto& [topic, scans] : placed_) {
+    for (const std::string& remark : scans.remarks()) remark_once(topic + ": " + remark);
+  }
   if (!odometry_.others().empty() && options_.odometry_topic.empty()) {
     remark_once(fmt::format("odometry is taken from {}, not from {} (--odometry-topic chooses)",
                             odometry_.chosen(),
@@ -338,6 +338,22 @@ void BagLog::remark_at_end() {
   for (const std::string& remark : source_->problems().remarks) remark_once(remark);
 }
 
+RecordingFrame BagLog::frame_of(const ros::TransformTree::Link& link) const {
+  constexpr double kAnyTime_s = 1e12;
+  const Eigen::Isometry3d T =
+      tree_.look_up(link.parent, link.child, last_log_time_, kAnyTime_s).T_target_source;
+  const Eigen::Matrix3d& R = T.linear();
+  return {.name = link.child,
+          .parent = link.parent,
+          .is_static = link.is_static,
+          .x_m = T.translation().x(),
+          .y_m = T.translation().y(),
+          .z_m = T.translation().z(),
+          .roll_rad = std::atan2(R(2, 1), R(2, 2)),
+          .pitch_rad = std::atan2(-R(2, 0), std::hypot(R(2, 1), R(2, 2))),
+          .yaw_rad = std::atan2(R(1, 0), R(0, 0))};
+}
+
 RecordingOverview BagLog::overview() const {
   RecordingOverview overview;
   for (std::size_t i = 0; i < source_->topics().size(); ++i) {
@@ -348,7 +364,7 @@ RecordingOverview BagLog::overview() const {
                                role_of(topic) != TopicRole::kNone});
   }
   for (const ros::TransformTree::Link& link : tree_.links()) {
-    overview.frames.push_back({.name = link.child, .parent = link.parent, .is_static = link.is_static});
+    overview.frames.push_back(frame_of(link));
   }
   overview.first = first_log_time_.value_or(Timestamp{});
   overview.last = last_log_time_;

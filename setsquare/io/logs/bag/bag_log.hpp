@@ -14,6 +14,7 @@
 
 #include "setsquare/io/bags/message_source.hpp"
 #include "setsquare/io/logs/bag/odometry.hpp"
+#include "setsquare/io/logs/bag/placed_scans.hpp"
 #include "setsquare/io/logs/bag/topic_reader.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 #include "setsquare/io/ros/transform_tree.hpp"
@@ -77,6 +78,7 @@ class BagLog final : public RecordStream {
   [[nodiscard]] std::string base_frame_of(const std::string& frame) const;
   [[nodiscard]] Timestamp in_odometry_clock(const Pending& pending) const;
 
+  [[nodiscard]] RecordingFrame frame_of(const ros::TransformTree::Link& link) const;
   [[nodiscard]] const std::string& topic_name(const Message& message) const;
   [[nodiscard]] Timestamp stamp_of(Timestamp header, const Message& message);
   void add_damage(const Message& message, std::string_view reason);
@@ -91,6 +93,7 @@ class BagLog final : public RecordStream {
   std::map<std::string, std::int64_t> odometry_clock_offset_ns_;  ///< By topic.
   std::deque<Pending> pending_;
   std::vector<Pending> spare_;              ///< Whose memory is used again.
+  std::map<std::string, PlacedScans> placed_;  ///< By the laser's topic.
   std::set<std::string> unplaced_frames_;   ///< Of lasers that no transform places.
   std::map<std::string, std::uint64_t> num_without_stamp_;
   std::set<std::string> remarks_made_;

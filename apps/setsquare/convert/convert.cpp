@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// `setsquare convert LOG... OUT`: a log in another format.
+#include <fmt/format.h>
+
+#include <CLI/App.hpp>
+#include <CLI/Option.hpp>
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/setsquare/command_line/options.hpp"
+#include "apps/setsquare/outputs/growing_output.hpp"
+#include "apps/setsquare/progress_bar.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
+#include "apps/setsquare/subcommands.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/log_chain.hpp"
+#include "setsquare/io/logs/log_writer.hpp"
+
+namespace setsquare::app {
+namespace {
+
+struct ConvertOptions {
+  std::vector<std::string> paths;  ///< The logs, then the output.
+  std::optional<LogFormat> format;
+  LogOptions log;
+};
+
+struct Converted {
+  std::uint64_t num_scans = 0;
+  std::uint64_t num_others = 0;
+  std::uint64_t num_refused = 0;  ///< Scans that the format cannot state.
+  std::string first_reason;
+};
+
+LogFormat format_of(const ConvertOptions& options, const std::string& output) {
+  if (options.format) return *options.format;
+  if (const auto format = log_format_of(output)) return *format;
+  throw Error(output +
+              ": its name tells no format (.clf, .csv, .jsonl, .mcap, .tum); --format does");
+}
+
+Converted convert(LogReader& reader, LogWriter& writer) {
+  Converted converted;
+  ProgressBar progress("converting");
+  while (const LogRecord* record = reader.next()) {
+    progress.advance(reader.fraction_read());
+    try {
+      writer.write(*record);
+      ++(record->kind == RecordKind::kScan ? converted.num_scans : converted.num_others);
+    } catch (const ParameterError& error) {
+      if (converted.num_refused++ == 0) converted.first_reason = error.what();
+    }
+  }
+  writer.finish();
+  return converted;
+}
+
+void convert_log(const ConvertOptions& options) {
+  if (options.paths.size() < 2) throw Error("convert: a log and an output are needed");
+  const std::vector<std::string> logs(options.paths.begin(), options.paths.end() - 1);
+  const std::string& output_path = options.paths.back();
+  const LogFormat format = format_of(options, output_path);
+  LogOptions log_options = options.log;
+  log_options.scans_only = false;
+  if (log_options.sensor.empty()) log_options.sensor = "all";
+  const auto reader = open_logs(logs, log_options);
+  GrowingOutput output(output_path, logs);
+  const auto writer =
+      make_log_writer(format, [&output](std::string_view bytes) { output.append(bytes); });
+  const Converted converted = convert(*reader, *writer);
+  output.commit();
+  std::cerr << fmt::format("{} scans, {} other records written to {}\n",
+                           converted.num_scans,
+                           converted.num_others - writer->num_left_out(),
+                           output_path == "-" ? "standard output" : output_path);
+  if (writer->num_left_out() > 0) {
+    std::cerr << fmt::format("left out: {} records that the format has no place for\n",
+                             writer->num_left_out());
+  }
+  if (converted.num_refused > 0) {
+    std::cerr << fmt::format("left out: {} scans, the first since {}\n",
+                             converted.num_refused,
+                             converted.first_reason);
+  }
+  tell_problems(logs.front(), reader->problems());
+}
+
+}  // namespace
+
+void add_convert(CLI::App& application) {
+  const auto options = std::make_shared<ConvertOptions>();
+  CLI::App* convert_command =
+      application.add_subcommand("convert", "Write a log in another format");
+  convert_command
+      ->add_option("log", options->paths, "Logs of one run in their order, then the output")
+      ->type_name("... OUT")
+      ->required();
+  add_choice<std::optional<LogFormat>, LogFormat>(*convert_command,
+                                                  "--format",
+                                                  options->format,
+                                                  {{"carmen", LogFormat::kCarmen},
+                                                   {"csv", LogFormat::kCsv},
+                                                   {"jsonl", LogFormat::kJsonLines},
+                                                   {"mcap", LogFormat::kMcap},
+                                                   {"tum", LogFormat::kTum}},
+                                                  "Of the output",
+                                                  "by the output's name");
+  add_log_options(*convert_command, options->log);
+  convert_command->get_option("--sensor")->default_str("all");
+  convert_command->footer(
+      "mcap: a ROS 2 bag, which Foxglove and Lichtblick open; jsonl: everything, exactly; csv: the\n"
+      "scans; carmen: scans of one laser, to the millimetre; tum: reference poses (or odometry).\n"
+      "docs/formats.md describes them. -o is not needed: the last name is the output, - = stdout.\n"
+      "Examples:\n"
+      "  setsquare convert my_bag scans.jsonl\n"
+      "  setsquare convert intel.clf intel.mcap\n"
+      "  setsquare convert run.bag truth.tum --topic /ground_truth\n"
+      "  setsquare convert part1.mcap part2.mcap - --format csv --rate 5 | head");
+  convert_command->callback([options] { convert_log(*options); });
+}
+
+}  // namespace setsquare::app
