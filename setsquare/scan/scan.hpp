@@ -29,6 +29,8 @@ struct Scan {
       std::numeric_limits<double>::infinity();  ///< Ranges at or above it are no-returns.
   std::vector<double> ranges_m;  ///< One per beam, as the sensor gave them, codes and NaN included.
   Pose2 T_base_sensor;           ///< The sensor's mounting on the robot.
+  double time_increment_s = 0.0;  ///< From a beam to the next; 0 where the log does not say.
+  double scan_time_s = 0.0;       ///< From a scan to the next; 0 where the log does not say.
 
   [[nodiscard]] std::size_t num_beams() const { return ranges_m.size(); }
   [[nodiscard]] double bearing_rad(std::size_t beam) const {
