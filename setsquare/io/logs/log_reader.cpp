@@ -36,6 +36,10 @@ void LogOptions::validate() const {
   if (window.max_rate_hz && !(*window.max_rate_hz > 0.0)) {
     throw ParameterError("window.max_rate_hz", "must be above 0");
   }
+  if (slice.low_m.has_value() != slice.high_m.has_value() ||
+      (slice.low_m && !(*slice.low_m < *slice.high_m))) {
+    throw ParameterError("slice", "must have two heights, the lower one first");
+  }
   if (max_range_m && !(*max_range_m > 0.0)) {
     throw ParameterError("max_range_m", "must be above 0");
   }

@@ -100,6 +100,14 @@ struct LogWindow {
   [[nodiscard]] bool is_open() const { return !from_s && !to_s && !max_rate_hz; }
 };
 
+/// Which points of a 3-D scanner's clouds make a scan. By default all of a flat cloud, else those
+/// within 0.3 m of the sensor's height.
+struct CloudSlice {
+  std::optional<int> ring;       ///< Those of one beam of the scanner.
+  std::optional<double> low_m;   ///< Those between two heights above the robot's frame, both given.
+  std::optional<double> high_m;
+};
+
 /// What to read of a log, and what the log itself does not state.
 struct LogOptions {
   /// Which laser's scans: its name in the log, "all", or empty for the front one (the laser whose
@@ -119,6 +127,9 @@ struct LogOptions {
   /// code that logs of SICK scanners use for "nothing seen").
   std::optional<double> max_range_m;
   LogWindow window;
+  CloudSlice slice;
+  /// Of a scanner that measures several echoes per beam: the strongest instead of the first.
+  bool takes_strongest_echo = false;
 
   /// Throws ParameterError naming the field that is out of its domain.
   void validate() const;

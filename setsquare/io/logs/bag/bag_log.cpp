@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "setsquare/io/logs/bag/topic_role.hpp"
+#include "setsquare/io/ros/echo_choice.hpp"
 
 namespace setsquare {
 namespace {
@@ -34,6 +35,19 @@ Pose2 flattened(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& ori
 
 bool is_finite(const Pose2& pose) {
   return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
+}
+
+ros::SliceParams slice_params(const CloudSlice& slice) {
+  ros::SliceParams params;
+  if (slice.ring) {
+    params.kind = ros::SliceKind::kRing;
+    params.ring = *slice.ring;
+  } else if (slice.low_m) {
+    params.kind = ros::SliceKind::kHeights;
+    params.low_m = *slice.low_m;
+    params.high_m = *slice.high_m;
+  }
+  return params;
 }
 
 }  // namespace
@@ -90,29 +104,40 @@ void BagLog::take(const Message& message) {
       *entry->second.decoder);
 }
 
-void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole role) {
+void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
   const Timestamp stamp = stamp_of(scan.stamp, message);
   Pending& pending = add_pending(RecordKind::kScan, message, stamp);
   pending.scan = scan;
   pending.scan.stamp = stamp;
   pending.scan.frame_id = ros::plain_frame_name(scan.frame_id);
-  pending.is_of_cloud = role == TopicRole::kPointCloud;
 }
 
 void BagLog::dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role) {
-  ros::choose_echoes(scan, options_.echo);
+  ros::choose_echoes(scan,
+                     options_.takes_strongest_echo ? ros::EchoChoice::kStrongest
+                                                   : ros::EchoChoice::kFirst);
   dispatch(static_cast<const ros::LaserScan&>(scan), message, role);
 }
 
-void BagLog::dispatch(const ros::PointCloud2& cloud, const Message& message, TopicRole role) {
+/// A cloud is too large to wait: it is sliced at once, or left out while its sensor's place may still
+/// come.
+void BagLog::dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole /*role*/) {
   if (has_scan_topic_ && options_.sensor != topic_name(message)) return;
-  ros::LaserScan scan;
-  const std::string_view fault = ros::slice(cloud, options_.slice, scan);
-  if (fault.empty()) {
-    dispatch(scan, message, role);
-  } else {
-    add_damage(message, fault);
-  }
+  const Timestamp stamp = stamp_of(cloud.stamp, message);
+  cloud.stamp = stamp;
+  const ros::TransformLookup mounting =
+      mounting_of(std::string(ros::plain_frame_name(cloud.frame_id)), stamp);
+  if (!mounting.is_found() && is_beginning()) return;
+  if (!mounting.is_found()) remark_on_place(topic_name(message), mounting.reason);
+  const auto slicer = slicers_.try_emplace(topic_name(message), slice_params(options_.slice)).first;
+  Pending& pending = add_pending(RecordKind::kScan, message, stamp);
+  pending.is_of_cloud = true;
+  const std::string_view fault =
+      slicer->second.slice(cloud, mounting.T_target_source, pending.record.scan);
+  if (fault.empty()) return;
+  add_damage(message, fault);
+  spare_.push_back(std::move(pending_.back()));
+  pending_.pop_back();
 }
 
 void BagLog::dispatch(const ros::Odometry& odometry, const Message& message, TopicRole role) {
@@ -214,16 +239,20 @@ BagLog::Pending& BagLog::add_pending(RecordKind kind, const Message& message, Ti
 bool BagLog::is_ready(const Pending& pending) const {
   if (is_at_end_ || pending_.size() >= kMaxPending) return true;
   if (pending.record.kind != RecordKind::kScan) return true;
+  if (pending.is_of_cloud && is_beginning()) return false;  // a topic of scans may come
   return is_mounting_settled(pending) && is_odometry_settled(pending);
+}
+
+bool BagLog::is_beginning() const {
+  return seconds_between(*first_log_time_, last_log_time_) < kMaxWaitForFrame_s;
 }
 
 bool BagLog::is_mounting_settled(const Pending& pending) const {
   const std::string& frame = pending.scan.frame_id;
   const double waited_s = seconds_between(pending.arrival, last_log_time_);
-  if (frame.empty() || unplaced_frames_.contains(frame) || waited_s > kMaxWaitForFrame_s) {
+  if (pending.is_of_cloud || frame.empty() || unplaced_frames_.contains(frame) || waited_s > kMaxWaitForFrame_s) {
     return true;
   }
-  if (pending.is_of_cloud && !has_scan_topic_) return false;  // scans may come
   const ros::TransformLookup mounting = mounting_of(frame, pending.record.stamp);
   if (mounting.is_found()) return true;
   const bool may_come_soon = mounting.status == ros::LookupStatus::kOutsideOfTime;
@@ -232,11 +261,7 @@ bool BagLog::is_mounting_settled(const Pending& pending) const {
 
 bool BagLog::is_odometry_settled(const Pending& pending) const {
   const double waited_s = seconds_between(pending.arrival, last_log_time_);
-  if (odometry_.chosen().empty()) {
-    const bool may_come =
-        seconds_between(*first_log_time_, last_log_time_) < kMaxWaitForFrame_s;
-    return !may_come;
-  }
+  if (odometry_.chosen().empty()) return !is_beginning();
   return waited_s > kMaxWaitForOdometry_s || odometry_.reaches(in_odometry_clock(pending));
 }
 
@@ -246,16 +271,14 @@ bool BagLog::complete(Pending& pending) {
     return false;
   }
   odometry_.settle();
+  pending.record.T_odom_base = odometry_.at(in_odometry_clock(pending));
+  if (pending.is_of_cloud) return true;
   const std::string& frame = pending.scan.frame_id;
   ros::TransformLookup mounting;
   if (!unplaced_frames_.contains(frame)) mounting = mounting_of(frame, pending.record.stamp);
   if (!mounting.is_found() && unplaced_frames_.insert(frame).second) {
-    remark_once(fmt::format(
-        "{}: the laser's place on the robot is not known ({}); taken to be at the robot's frame",
-        pending.record.sensor,
-        mounting.reason.empty() ? "its messages name no frame" : mounting.reason));
+    remark_on_place(pending.record.sensor, mounting.reason);
   }
-  pending.record.T_odom_base = odometry_.at(in_odometry_clock(pending));
   const std::string_view fault = placed_[pending.record.sensor].place(
       pending.scan, mounting.T_target_source, pending.record.scan);
   if (fault.empty()) return true;
@@ -316,6 +339,13 @@ void BagLog::remark_once(const std::string& remark) {
   if (remarks_made_.size() < kMaxRemarks && remarks_made_.insert(remark).second) {
     problems().remarks.push_back(remark);
   }
+}
+
+void BagLog::remark_on_place(const std::string& topic, const std::string& reason) {
+  remark_once(fmt::format(
+      "{}: the laser's place on the robot is not known ({}); taken to be at the robot's frame",
+      topic,
+      reason.empty() ? "its messages name no frame" : reason));
 }
 
 void BagLog::remark_at_end() {

@@ -17,6 +17,7 @@
 #include "setsquare/io/logs/bag/placed_scans.hpp"
 #include "setsquare/io/logs/bag/topic_reader.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
+#include "setsquare/io/ros/point_slice.hpp"
 #include "setsquare/io/ros/transform_tree.hpp"
 
 namespace setsquare {
@@ -49,13 +50,13 @@ class BagLog final : public RecordStream {
     ros::LaserScan scan;               ///< kScan: as it was sent.
     Timestamp arrival;                 ///< Log time.
     std::int64_t clock_offset_ns = 0;  ///< Log time minus stamp.
-    bool is_of_cloud = false;
+    bool is_of_cloud = false;          ///< kScan: record.scan is made, of a point cloud.
   };
 
   void take(const Message& message);
   void dispatch(const ros::LaserScan& scan, const Message& message, TopicRole role);
   void dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role);
-  void dispatch(const ros::PointCloud2& cloud, const Message& message, TopicRole role);
+  void dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole role);
   void dispatch(const ros::Odometry& odometry, const Message& message, TopicRole role);
   void dispatch(const ros::PoseStamped& pose, const Message& message, TopicRole role);
   void dispatch(const ros::Imu& imu, const Message& message, TopicRole role);
@@ -71,6 +72,7 @@ class BagLog final : public RecordStream {
   Pending& add_pending(RecordKind kind, const Message& message, Timestamp stamp);
 
   [[nodiscard]] bool is_ready(const Pending& pending) const;
+  [[nodiscard]] bool is_beginning() const;
   [[nodiscard]] bool is_mounting_settled(const Pending& pending) const;
   [[nodiscard]] bool is_odometry_settled(const Pending& pending) const;
   [[nodiscard]] bool complete(Pending& pending);
@@ -83,6 +85,7 @@ class BagLog final : public RecordStream {
   [[nodiscard]] Timestamp stamp_of(Timestamp header, const Message& message);
   void add_damage(const Message& message, std::string_view reason);
   void remark_once(const std::string& remark);
+  void remark_on_place(const std::string& topic, const std::string& reason);
   void remark_at_end();
 
   std::unique_ptr<MessageSource> source_;
@@ -93,6 +96,7 @@ class BagLog final : public RecordStream {
   std::map<std::string, std::int64_t> odometry_clock_offset_ns_;  ///< By topic.
   std::deque<Pending> pending_;
   std::vector<Pending> spare_;              ///< Whose memory is used again.
+  std::map<std::string, ros::PointSlicer> slicers_;  ///< By the topic of clouds.
   std::map<std::string, PlacedScans> placed_;  ///< By the laser's topic.
   std::set<std::string> unplaced_frames_;   ///< Of lasers that no transform places.
   std::map<std::string, std::uint64_t> num_without_stamp_;
