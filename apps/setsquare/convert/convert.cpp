@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "apps/setsquare/command_line/options.hpp"
+#include "apps/setsquare/convert/map_recording.hpp"
 #include "apps/setsquare/outputs/growing_output.hpp"
 #include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
@@ -29,6 +30,7 @@ struct ConvertOptions {
   std::vector<std::string> paths;  ///< The logs, then the output.
   std::optional<LogFormat> format;
   LogOptions log;
+  std::string map_folder;  ///< Results of `setsquare map`, to be recorded; or empty.
 };
 
 struct Converted {
@@ -61,9 +63,34 @@ Converted convert(LogReader& reader, LogWriter& writer) {
   return converted;
 }
 
+std::string name_of(const std::string& output_path) {
+  return output_path == "-" ? "standard output" : output_path;
+}
+
+void convert_map(const ConvertOptions& options, const std::vector<std::string>& logs) {
+  const std::string& output_path = options.paths.back();
+  if (format_of(options, output_path) != LogFormat::kMcap) {
+    throw Error("--map: a map is recorded as mcap, not as " + output_path);
+  }
+  const auto reader = open_logs(logs, options.log);
+  GrowingOutput output(output_path, logs);
+  const RecordedMap recorded = record_map(
+      options.map_folder, *reader, [&output](std::string_view bytes) { output.append(bytes); });
+  output.commit();
+  std::cerr << fmt::format("{} scans and the map written to {}\n",
+                           recorded.num_scans,
+                           name_of(output_path));
+  if (recorded.num_without_pose > 0) {
+    std::cerr << fmt::format("left out: {} scans that the map has no pose of\n",
+                             recorded.num_without_pose);
+  }
+  tell_problems(logs.front(), reader->problems());
+}
+
 void convert_log(const ConvertOptions& options) {
   if (options.paths.size() < 2) throw Error("convert: a log and an output are needed");
   const std::vector<std::string> logs(options.paths.begin(), options.paths.end() - 1);
+  if (!options.map_folder.empty()) return convert_map(options, logs);
   const std::string& output_path = options.paths.back();
   const LogFormat format = format_of(options, output_path);
   LogOptions log_options = options.log;
@@ -78,7 +105,7 @@ void convert_log(const ConvertOptions& options) {
   std::cerr << fmt::format("{} scans, {} other records written to {}\n",
                            converted.num_scans,
                            converted.num_others - writer->num_left_out(),
-                           output_path == "-" ? "standard output" : output_path);
+                           name_of(output_path));
   if (writer->num_left_out() > 0) {
     std::cerr << fmt::format("left out: {} records that the format has no place for\n",
                              writer->num_left_out());
@@ -111,15 +138,21 @@ void add_convert(CLI::App& application) {
                                                    {"tum", LogFormat::kTum}},
                                                   "Of the output",
                                                   "by the output's name");
+  convert_command
+      ->add_option("--map",
+                   options->map_folder,
+                   "Record what setsquare map made of the log: the map growing, the way, closures")
+      ->type_name("DIR");
   add_log_options(*convert_command, options->log);
   convert_command->get_option("--sensor")->default_str("all");
   convert_command->footer(
       "mcap: a ROS 2 bag, which Foxglove and Lichtblick open; jsonl: everything, exactly; csv: the\n"
       "scans; carmen: scans of one laser, to the millimetre; tum: reference poses (or odometry).\n"
-      "docs/formats.md describes them. -o is not needed: the last name is the output, - = stdout.\n"
+      "docs/formats.md describes them. The last name is the output, - = stdout.\n"
       "Examples:\n"
       "  setsquare convert my_bag scans.jsonl\n"
       "  setsquare convert intel.clf intel.mcap\n"
+      "  setsquare map intel.clf -o out && setsquare convert intel.clf --map out map.mcap\n"
       "  setsquare convert run.bag truth.tum --topic /ground_truth\n"
       "  setsquare convert part1.mcap part2.mcap - --format csv --rate 5 | head");
   convert_command->callback([options] { convert_log(*options); });
