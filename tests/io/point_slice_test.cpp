@@ -152,7 +152,9 @@ TEST(PointSlicer, ThePointsOfAPlanarScannerBecomeItsBeams) {
     EXPECT_EQ(num_returns(scan), points.size()) << step_deg;
     for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
       if (scan.outcome(beam) != BeamOutcome::kReturn) continue;
-      const double i = std::round((scan.bearing_rad(beam) + 1.5) / step_rad);
+      const double from_first_rad = scan.bearing_rad(beam) + 1.5;
+      const double i =
+          std::round((from_first_rad + (from_first_rad < -0.01 ? kTwoPi : 0.0)) / step_rad);
       EXPECT_NEAR(scan.ranges_m[beam], 2.0 + 0.01 * i, 1e-5);
     }
   }

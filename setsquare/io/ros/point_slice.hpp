@@ -30,7 +30,7 @@ struct SliceParams {
   double high_m = 1.5;    ///< kHeights: above the origin of the base frame.
   /// From a beam of the scan to the next. By default that of the sensor (kPlane, kRing: what lies
   /// between neighbouring points of the first cloud, 0.05 to 2 degrees), or half a degree.
-  std::optional<double> bin_width_rad;
+  std::optional<double> bin_width_rad = {};
 
   /// Throws ParameterError naming the field that is out of its domain.
   void validate() const;
