@@ -7,13 +7,15 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <string_view>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/bytes/gzip_source.hpp"
+#include "setsquare/io/bytes/decompressor.hpp"
+#include "setsquare/io/bytes/unpacking_source.hpp"
 
 namespace setsquare {
 namespace {
@@ -44,6 +46,20 @@ class FileSource final : public ByteSource {
     return static_cast<std::size_t>(num_read);
   }
 
+  /// Jumps where the file can; not beyond its end, which a seek would not notice.
+  std::uint64_t skip(std::uint64_t num_bytes) override {
+    struct stat status {};
+    const off_t here = size_ > 0.0 ? ::lseek(file_, 0, SEEK_CUR) : -1;
+    if (here < 0 || ::fstat(file_, &status) != 0) return ByteSource::skip(num_bytes);
+    const off_t num_left = std::max(off_t{0}, status.st_size - here);
+    const std::uint64_t num_skipped = std::min(num_bytes, static_cast<std::uint64_t>(num_left));
+    if (::lseek(file_, static_cast<off_t>(num_skipped), SEEK_CUR) < 0) {
+      throw FileError(path_, std::strerror(errno));
+    }
+    num_read_ += static_cast<double>(num_skipped);
+    return num_skipped;
+  }
+
   std::optional<double> fraction_read() const override {
     if (size_ == 0.0) return std::nullopt;
     return std::min(1.0, num_read_ / size_);
@@ -67,6 +83,13 @@ class MemorySource final : public ByteSource {
     return num_bytes;
   }
 
+  std::uint64_t skip(std::uint64_t num_bytes) override {
+    const std::uint64_t num_left = bytes_.size() - position_;
+    const std::uint64_t num_skipped = std::min(num_bytes, num_left);
+    position_ += static_cast<std::size_t>(num_skipped);
+    return num_skipped;
+  }
+
  private:
   std::string bytes_;
   std::size_t position_ = 0;
@@ -82,6 +105,10 @@ class PrefixedSource final : public ByteSource {
     const std::size_t num_bytes = prefix_.read(bytes);
     return num_bytes > 0 ? num_bytes : rest_->read(bytes);
   }
+  std::uint64_t skip(std::uint64_t num_bytes) override {
+    const std::uint64_t num_skipped = prefix_.skip(num_bytes);
+    return num_skipped + rest_->skip(num_bytes - num_skipped);
+  }
   std::optional<double> fraction_read() const override { return rest_->fraction_read(); }
   std::string damage() const override { return rest_->damage(); }
 
@@ -92,8 +119,29 @@ class PrefixedSource final : public ByteSource {
 
 }  // namespace
 
+std::uint64_t ByteSource::skip(std::uint64_t num_bytes) {
+  std::array<char, 1 << 14> dropped;
+  std::uint64_t num_skipped = 0;
+  while (num_skipped < num_bytes) {
+    const std::uint64_t num_wanted =
+        std::min(num_bytes - num_skipped, std::uint64_t{dropped.size()});
+    const std::size_t num_read =
+        read(std::span(dropped).first(static_cast<std::size_t>(num_wanted)));
+    if (num_read == 0) break;
+    num_skipped += num_read;
+  }
+  return num_skipped;
+}
+
 std::unique_ptr<ByteSource> open_file_source(const std::string& path) {
   return std::make_unique<FileSource>(path);
+}
+
+std::unique_ptr<ByteSource> open_regular_file_source(const std::string& path) {
+  struct stat status {};
+  if (::stat(path.c_str(), &status) != 0) throw FileError(path, std::strerror(errno));
+  if (!S_ISREG(status.st_mode)) throw FileError(path, "not a regular file");
+  return open_file_source(path);
 }
 
 std::unique_ptr<ByteSource> make_memory_source(std::string bytes) {
@@ -101,7 +149,7 @@ std::unique_ptr<ByteSource> make_memory_source(std::string bytes) {
 }
 
 std::unique_ptr<ByteSource> unpack(std::unique_ptr<ByteSource> source) {
-  std::string magic(2, '\0');
+  std::string magic(kMagicBytes, '\0');
   std::size_t num_read = 0;
   while (num_read < magic.size()) {
     const std::size_t more = source->read(std::span(magic).subspan(num_read));
@@ -109,9 +157,10 @@ std::unique_ptr<ByteSource> unpack(std::unique_ptr<ByteSource> source) {
     num_read += more;
   }
   magic.resize(num_read);
-  auto whole = std::make_unique<PrefixedSource>(magic, std::move(source));
-  if (magic != "\x1f\x8b") return whole;
-  return std::make_unique<GzipSource>(std::move(whole));
+  const std::optional<Packing> packing = packing_at(magic);
+  auto whole = std::make_unique<PrefixedSource>(std::move(magic), std::move(source));
+  if (!packing) return whole;
+  return std::make_unique<UnpackingSource>(std::move(whole), *packing);
 }
 
 }  // namespace setsquare

@@ -3,6 +3,7 @@
 #include "setsquare/io/bytes/input_buffer.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace setsquare {
@@ -15,31 +16,39 @@ constexpr std::size_t kLargestReadBytes = 1 << 18;
 }  // namespace
 
 InputBuffer::InputBuffer(std::unique_ptr<ByteSource> source)
-    : source_(std::move(source)), num_read_bytes_(kFirstReadBytes) {}
+    : ByteWindow({}), source_(std::move(source)), num_read_bytes_(kFirstReadBytes) {}
 
-void InputBuffer::make_room(std::size_t num_bytes) {
-  if (bytes_.size() - end_ >= num_bytes) return;
-  std::copy(bytes_.begin() + static_cast<std::ptrdiff_t>(begin_),
-            bytes_.begin() + static_cast<std::ptrdiff_t>(end_),
-            bytes_.begin());
-  end_ -= begin_;
-  begin_ = 0;
-  if (bytes_.size() - end_ < num_bytes) bytes_.resize(end_ + 2 * num_bytes);
+/// Makes room for num_bytes bytes behind those available; returns where that room begins.
+std::size_t InputBuffer::make_room(std::size_t num_bytes) {
+  const std::size_t num_kept = available().size();
+  const std::size_t begin =
+      num_kept > 0 ? static_cast<std::size_t>(available().data() - bytes_.data()) : 0;
+  std::size_t end = begin + num_kept;
+  if (bytes_.size() - end >= num_bytes) return end;
+  if (begin > 0) std::memmove(bytes_.data(), bytes_.data() + begin, num_kept);
+  end = num_kept;
+  if (bytes_.size() - end < num_bytes) bytes_.resize(end + 2 * num_bytes);
+  set_available({bytes_.data(), num_kept});
+  return end;
 }
 
 bool InputBuffer::fill() {
-  make_room(num_read_bytes_);
+  const std::size_t end = make_room(num_read_bytes_);
   num_read_bytes_ = std::min(2 * num_read_bytes_, kLargestReadBytes);
-  const std::size_t num_read = source_->read(std::span(bytes_).subspan(end_));
-  end_ += num_read;
+  const std::size_t num_read = source_->read(std::span(bytes_).subspan(end));
+  const std::size_t num_kept = available().size();
+  set_available({bytes_.data() + end - num_kept, num_kept + num_read});
   return num_read > 0;
 }
 
-bool InputBuffer::ensure(std::size_t num_bytes) {
-  while (available().size() < num_bytes) {
-    if (!fill()) return false;
-  }
-  return true;
+std::uint64_t InputBuffer::skip(std::uint64_t num_bytes) {
+  const std::uint64_t num_held = ByteWindow::skip(num_bytes);
+  if (num_held == num_bytes) return num_held;
+  const std::uint64_t num_jumped = source_->skip(num_bytes - num_held);
+  pass_over(num_jumped);
+  // Who jumps once will jump again: what the next read would take too much is copied for nothing.
+  num_read_bytes_ = kFirstReadBytes;
+  return num_held + num_jumped;
 }
 
 }  // namespace setsquare

@@ -31,9 +31,11 @@ std::optional<std::string_view> LineReader::next() {
     if (num_searched > kMaxLineBytes || !input_.fill()) break;
   }
   std::string_view line = input_.available();
+  has_end_ = end != std::string_view::npos;
   if (end == std::string_view::npos) {
     if (line.empty()) return std::nullopt;
     is_too_long_ = line.size() > kMaxLineBytes;
+    has_end_ = is_too_long_;  // not seen, but the text goes on
     num_returned_bytes_ = line.size();
   } else {
     num_returned_bytes_ = end + 1;

@@ -15,7 +15,7 @@ namespace setsquare {
 class LineReader {
  public:
   /// A line longer than this cannot be a record: it is cut there and marked.
-  static constexpr std::size_t kMaxLineBytes = 1 << 20;
+  static constexpr std::size_t kMaxLineBytes = 1 << 21;
 
   explicit LineReader(InputBuffer& input) : input_(input) {}
 
@@ -25,6 +25,9 @@ class LineReader {
 
   /// Number of the line that next() returned last, from 1.
   [[nodiscard]] std::uint64_t line_number() const { return line_number_; }
+
+  /// Whether that line had an end; the last one of a text may lack it.
+  [[nodiscard]] bool has_end() const { return has_end_; }
 
   /// Whether that line was longer than kMaxLineBytes (what next() returned is its beginning).
   [[nodiscard]] bool is_too_long() const { return is_too_long_; }
@@ -36,6 +39,7 @@ class LineReader {
   std::size_t num_returned_bytes_ = 0;
   std::uint64_t line_number_ = 0;
   bool is_too_long_ = false;
+  bool has_end_ = false;
 };
 
 }  // namespace setsquare

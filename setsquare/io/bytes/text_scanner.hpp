@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "setsquare/core/pose2.hpp"
@@ -18,7 +19,8 @@ class TextScanner {
   explicit TextScanner(std::string_view text) : next_(text.data()), end_(next_ + text.size()) {}
 
   [[nodiscard]] std::optional<std::string_view> word();
-  [[nodiscard]] std::optional<double> number();  ///< "nan" and "inf" included.
+  [[nodiscard]] std::optional<double> number();           ///< "nan" and "inf" included.
+  [[nodiscard]] bool numbers(std::span<double> numbers);  ///< As many as there is room for.
   [[nodiscard]] std::optional<double> finite_number();
   [[nodiscard]] std::optional<std::uint32_t> count();
   [[nodiscard]] std::optional<Pose2> pose();  ///< x, y (m), theta (rad), finite.
