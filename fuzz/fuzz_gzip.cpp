@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 #include "fuzz/fuzz_target.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/bytes/byte_source.hpp"
+#include "setsquare/io/logs/log_survey.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 
 // The way of a whole log: gzip or plain, format by content, choice of the laser.

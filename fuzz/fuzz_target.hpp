@@ -10,6 +10,7 @@
 #include <string>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bags/message_source.hpp"
 #include "setsquare/io/logs/log_survey.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
@@ -43,6 +44,25 @@ inline void drain(RecordStream& stream) {
     survey.add(record);
   }
   require(stream.problems().first.size() <= LogProblems::kMaxKept);
+}
+
+/// Reads all messages. Laws: a message is of a topic that has been met, its bytes can be read,
+/// positions never run backwards, all are counted, and the end stays the end.
+inline void drain(MessageSource& source) {
+  Message message;
+  std::uint64_t position = 0;
+  std::uint64_t num_messages = 0;
+  while (source.read(message)) {
+    require(message.topic < source.topics().size());
+    require(message.position >= position);
+    position = message.position;
+    require(std::string(message.data).size() == message.data.size());
+    ++num_messages;
+  }
+  require(!source.read(message));
+  for (const std::uint64_t num_of_topic : source.num_messages()) num_messages -= num_of_topic;
+  require(num_messages == 0);
+  require(source.problems().first.size() <= LogProblems::kMaxKept);
 }
 
 }  // namespace setsquare::fuzz

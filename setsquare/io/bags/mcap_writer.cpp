@@ -17,7 +17,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "byte order of MCAP");
 
-constexpr std::string_view kMcapMagic = "\x89MCAP0\r\n";
+constexpr std::string_view kMcapFileMagic = "\x89MCAP0\r\n";
 
 enum class Opcode : std::uint8_t {
   kHeader = 0x01,
@@ -79,7 +79,7 @@ McapWriter::McapWriter(Sink sink) : sink_(std::move(sink)) {
   std::string content;
   append_text(content, "ros2");
   append_text(content, "setsquare");
-  put(kMcapMagic);
+  put(kMcapFileMagic);
   put(record(Opcode::kHeader, content));
 }
 
@@ -246,7 +246,7 @@ void McapWriter::finish_summary() {
   append_value(footer, std::uint32_t{0});  // no checksum of the summary
   put(offsets);
   put(record(Opcode::kFooter, footer));
-  put(kMcapMagic);
+  put(kMcapFileMagic);
 }
 
 }  // namespace setsquare

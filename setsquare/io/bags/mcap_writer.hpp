@@ -31,8 +31,8 @@ class McapWriter {
   /// Writes the file's beginning. What `sink` throws goes through.
   explicit McapWriter(Sink sink);
 
-  /// A topic of CDR messages (ROS 2). `type`: "sensor_msgs/msg/LaserScan"; `definition`: that of the
-  /// type and of its parts, as ros2msg. `is_latched`: late readers want its last message, too.
+  /// A topic of CDR messages (ROS 2). `type`: "sensor_msgs/msg/LaserScan"; `definition`: that of
+  /// the type and of its parts, as ros2msg. `is_latched`: late readers want its last message, too.
   [[nodiscard]] Channel add_channel(const std::string& topic,
                                     const std::string& type,
                                     const std::string& definition,

@@ -9,8 +9,7 @@ namespace setsquare {
 std::size_t MessageSource::add_topic(MessageTopic topic) {
   topic.type = plain_type_name(topic.type);
   const auto same = [&topic](const MessageTopic& other) {
-    return other.name == topic.name && other.type == topic.type &&
-           other.encoding == topic.encoding;
+    return other.name == topic.name && other.type == topic.type && other.encoding == topic.encoding;
   };
   const auto found = std::find_if(topics_.begin(), topics_.end(), same);
   if (found != topics_.end()) {
@@ -27,8 +26,7 @@ std::string plain_type_name(std::string_view type) {
   constexpr std::string_view kMiddle = "/msg/";
   const std::size_t middle = type.find(kMiddle);
   if (middle == std::string_view::npos) return std::string(type);
-  return std::string(type.substr(0, middle + 1))
-      .append(type.substr(middle + kMiddle.size()));
+  return std::string(type.substr(0, middle + 1)).append(type.substr(middle + kMiddle.size()));
 }
 
 }  // namespace setsquare

@@ -33,10 +33,11 @@ struct MessageTopic {
 
 /// One message as it stands in the file.
 struct Message {
-  std::size_t topic = 0;    ///< Index in MessageSource::topics().
-  Timestamp log_time;       ///< When it was recorded.
-  std::string_view data;    ///< Serialised; valid until the next read().
-  std::uint64_t position = 0;  ///< Offset in the file of the message, or of the chunk that holds it.
+  std::size_t topic = 0;  ///< Index in MessageSource::topics().
+  Timestamp log_time;     ///< When it was recorded.
+  std::string_view data;  ///< Serialised; valid until the next read().
+  /// Offset in the file of the message, or of the chunk that holds it; in SQLite the row's number.
+  std::uint64_t position = 0;
 };
 
 /// The messages of a recording, in file order, in bounded memory: that of one chunk.
@@ -63,8 +64,8 @@ class MessageSource {
   /// unpacking what holds none that is wanted.
   [[nodiscard]] const std::vector<std::uint64_t>& num_messages() const { return num_messages_; }
 
-  /// Which topics read() hands on; all by default. Call it before the first read(). It is asked once
-  /// per topic, when the topic is met.
+  /// Which topics read() hands on; all by default. Call it before the first read(). It is asked
+  /// once per topic, when the topic is met.
   void set_wanted(IsWanted is_wanted) { is_wanted_ = std::move(is_wanted); }
 
   [[nodiscard]] const LogProblems& problems() const { return problems_; }
@@ -74,7 +75,9 @@ class MessageSource {
   /// The index of a topic: that of an equal one (name, type and encoding), or a new one.
   std::size_t add_topic(MessageTopic topic);
   [[nodiscard]] bool is_wanted(std::size_t topic) const { return wanted_[topic]; }
-  void count(std::size_t topic) { ++num_messages_[topic]; }
+  void count(std::size_t topic, std::uint64_t num_messages = 1) {
+    num_messages_[topic] += num_messages;
+  }
 
  private:
   std::vector<MessageTopic> topics_;

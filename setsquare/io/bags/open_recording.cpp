@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMagicBytes = 64;
+constexpr std::size_t kBeginningOfRecording = 64;
 constexpr std::string_view kSqliteMagic{"SQLite format 3\0", 16};
 
 /// What an InputBuffer still holds, and what follows it, as a source again.
@@ -72,7 +72,7 @@ std::unique_ptr<MessageSource> open_recording_at(const std::string& path) {
 
 std::unique_ptr<MessageSource> recording_in(std::unique_ptr<InputBuffer>& input,
                                             const std::string& name) {
-  input->ensure(kMagicBytes);
+  input->ensure(kBeginningOfRecording);
   const std::string_view beginning = input->available();
   if (is_rosbag1(beginning)) return std::make_unique<Rosbag1>(std::move(input), name);
   if (is_mcap(beginning)) return std::make_unique<Mcap>(std::move(input));
