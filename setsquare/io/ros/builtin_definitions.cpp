@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <array>
-#include <cstddef>
+#include <span>
 #include <vector>
 
 #include "setsquare/io/ros/message_definition.hpp"
@@ -25,7 +25,7 @@ constexpr std::array<KnownType, 2> kRos1Types = {{
      "geometry_msgs/Pose origin\n"},
 }};
 
-constexpr std::array<KnownType, 25> kTypes = {{
+constexpr std::array<KnownType, 25> kKnownTypes = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
@@ -72,8 +72,7 @@ constexpr std::array<KnownType, 25> kTypes = {{
     {"tf/tfMessage", "geometry_msgs/TransformStamped[] transforms\n"},
 }};
 
-template <std::size_t kSize>
-const KnownType* find_known(const std::array<KnownType, kSize>& types, std::string_view name) {
+const KnownType* find_known(std::span<const KnownType> types, std::string_view name) {
   const auto found = std::find_if(
       types.begin(), types.end(), [name](const KnownType& type) { return type.name == name; });
   return found == types.end() ? nullptr : &*found;
@@ -81,7 +80,8 @@ const KnownType* find_known(const std::array<KnownType, kSize>& types, std::stri
 
 const KnownType* find_known(std::string_view name, MessageEncoding encoding) {
   const KnownType* ros1 = find_known(kRos1Types, name);
-  return encoding == MessageEncoding::kRos1 && ros1 != nullptr ? ros1 : find_known(kTypes, name);
+  return encoding == MessageEncoding::kRos1 && ros1 != nullptr ? ros1
+                                                               : find_known(kKnownTypes, name);
 }
 
 /// Appends the known types that this one's fields name and that are not in the list yet.
