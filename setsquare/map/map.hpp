@@ -17,6 +17,8 @@
 #include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/grid/placed_scan.hpp"
+#include "setsquare/map/gyro_report.hpp"
+#include "setsquare/map/mapped_scanner.hpp"
 #include "setsquare/map/track_status.hpp"
 #include "setsquare/scan/scan.hpp"
 
@@ -86,14 +88,16 @@ struct BuildingFrame {
 
 /// What a mapper knows. The map's axes are those of the building's main frame.
 struct Map {
-  std::vector<MappedScan> scans;        ///< Every scan, in the order in which it came.
+  std::vector<MappedScan> scans;  ///< Every scan that was mapped, in the order in which it came.
   std::vector<std::size_t> keyframes;   ///< Indices of scans.
   std::vector<MappedHeading> headings;  ///< One per keyframe; none by PaperMapper.
   std::vector<BuildingFrame> frames;    ///< The main one first; none by PaperMapper.
   std::vector<TrackPiece> pieces;       ///< One where tracking was never lost for long.
   std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
   std::vector<OpenStretch> open_stretches;
-  std::size_t num_with_odometry = 0;  ///< Scans that came with a pose by wheel odometry.
+  std::vector<MappedScanner> scanners;  ///< As they came; none by PaperMapper.
+  GyroReport gyro;                      ///< What became of its samples, if there were any.
+  std::size_t num_with_odometry = 0;    ///< Scans that came with a pose by wheel odometry.
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
   /// weights, the headings measured; empty by PaperMapper.
   PoseGraph graph;

@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <map>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -15,23 +17,24 @@
 namespace setsquare {
 
 /// Chooses the scans that a map keeps whole: the keyframes, and those that moved on by 0.1 m or 5
-/// degrees since the last one kept. Memory grows with the way driven, not with the time. Shared by
-/// Mapper and PaperMapper.
+/// degrees since the last one kept of the same scanner. Memory grows with the way driven, not with
+/// the time. Shared by Mapper and PaperMapper.
 class KeptScans {
  public:
   /// The next scan. `share`: gives it as a shared pointer; called only where it is kept.
   template <typename Share>
-  void add(const TrackedPose& tracked, const Share& share) {
+  void add(const TrackedPose& tracked, std::uint32_t scanner, const Share& share) {
     constexpr double kSpacing_m = 0.1;
     constexpr double kTurn_rad = rad_from_deg(5.0);
     const std::size_t index = num_scans_++;
-    if (!kept_.empty() && !tracked.is_keyframe) {
-      const Pose2 moved = T_odom_last_.inverse() * tracked.T_odom_sensor;
+    const auto [last, is_first] = T_odom_last_.try_emplace(scanner);
+    if (!is_first && !tracked.is_keyframe) {
+      const Pose2 moved = last->second.inverse() * tracked.T_odom_body;
       if (std::hypot(moved.x_m, moved.y_m) < kSpacing_m && std::abs(moved.theta_rad) < kTurn_rad) {
         return;
       }
     }
-    T_odom_last_ = tracked.T_odom_sensor;
+    last->second = tracked.T_odom_body;
     kept_.push_back({index, share()});
   }
 
@@ -39,7 +42,7 @@ class KeptScans {
 
  private:
   std::vector<KeptScan> kept_;
-  Pose2 T_odom_last_;
+  std::map<std::uint32_t, Pose2> T_odom_last_;  ///< Of the body, by scanner.
   std::size_t num_scans_ = 0;
 };
 

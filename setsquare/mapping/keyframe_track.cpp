@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/keyframe_track.hpp"
 
+#include <algorithm>
 #include <cassert>
+#include <cstdint>
 #include <Eigen/LU>
+#include <set>
 
 namespace setsquare {
 namespace {
@@ -32,6 +35,12 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
 }
 
 }  // namespace
+
+std::size_t KeyframeTrack::num_scanners() const {
+  std::set<std::uint32_t> scanners;
+  for (const KeyframePtr& keyframe : keyframes) scanners.insert(keyframe->scan.scanner);
+  return std::max<std::size_t>(1, scanners.size());
+}
 
 PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> headings_rad) {
   assert(headings_rad.size() == track.size());

@@ -24,6 +24,9 @@ struct KeyframeTrack {
   std::vector<std::size_t> pieces;
 
   [[nodiscard]] std::size_t size() const { return keyframes.size(); }
+  /// Scanners that keyframes come from, at least one: of so many keyframes each scanner has one,
+  /// and they show the surroundings of one place.
+  [[nodiscard]] std::size_t num_scanners() const;
 };
 
 /// The track as a pose graph with odometry constraints only. The tracked motion is laid out along

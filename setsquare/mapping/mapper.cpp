@@ -17,8 +17,11 @@
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/pieces/piece_joining.hpp"
 #include "setsquare/mapping/registration.hpp"
+#include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
+#include "setsquare/scan/isolated_returns.hpp"
 #include "setsquare/tracking/motion_uncertainty.hpp"
+#include "setsquare/tracking/odometry_watch.hpp"
 #include "setsquare/tracking/scan_tracker.hpp"
 
 namespace setsquare {
@@ -70,12 +73,16 @@ class Mapper::Parts {
   explicit Parts(const MapperParams& params)
       : params_(params),
         tracker_(params.tracker),
+        scanners_(params.mounting),
         uncertainty_(params.motion),
         closer_(params.closing) {
     params_.validate();
   }
 
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+  void add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
+    tracker_.add_turn_rate(stamp, turn_rad_per_s);
+  }
   [[nodiscard]] Map finish() const;
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
@@ -87,6 +94,8 @@ class Mapper::Parts {
     JoinedPieces joined;
   };
 
+  /// add() of a scan without isolated returns and of odometry that is one.
+  TrackedPose add_cleared(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   void add_keyframe(const Scan& scan);
   /// Tracks of one piece: the loops that are left to close.
   [[nodiscard]] Closed close_one_piece() const;
@@ -107,7 +116,9 @@ class Mapper::Parts {
                                                     const PoseGraph& graph) const;
 
   MapperParams params_;
+  OdometryWatch odometry_;
   ScanTracker tracker_;
+  Scanners scanners_;
   MotionUncertainty uncertainty_;
   LoopCloser closer_;
   std::vector<TrackedScan> scans_;
@@ -122,13 +133,20 @@ TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_w
   scan.validate();
   require_finite(scan.T_base_sensor, "T_base_sensor");
   if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
-  std::optional<Pose2> T_wheels_sensor;
-  if (T_wheels_base) T_wheels_sensor = *T_wheels_base * scan.T_base_sensor;
+  const std::optional<Scan> cleared = without_isolated_returns(scan);
+  return add_cleared(cleared ? *cleared : scan, odometry_.believed(scan, T_wheels_base));
+}
+
+TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
+                                       const std::optional<Pose2>& T_wheels_base) {
+  if (!scanners_.admit(scan, T_wheels_base, tracker_)) {
+    return tracker_.expected(scan, T_wheels_base);
+  }
   num_with_odometry_ += T_wheels_base.has_value();
-  const TrackedPose tracked = tracker_.track(scan, T_wheels_sensor);
-  uncertainty_.add(tracked);
+  const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
+  uncertainty_.add(tracked, scan.scanner);
   scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
-  kept_.add(tracked, [&]() -> std::shared_ptr<const Scan> {
+  kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
     if (!tracked.is_keyframe) return std::make_shared<const Scan>(scan);
     const KeyframePtr& keyframe = tracker_.submap().back();
     return {keyframe, &keyframe->scan};
@@ -219,6 +237,8 @@ Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
 Map Mapper::Parts::finish() const {
   if (track_.size() == 0) {
     Map map = assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
+    map.scanners = scanners_.results();
+    map.gyro = tracker_.gyro();
     map.num_with_odometry = num_with_odometry_;
     return map;
   }
@@ -242,6 +262,8 @@ Map Mapper::Parts::finish() const {
                           .compared = closed.closer.compared(),
                           .is_joined = closed.joined.is_joined,
                           .graph = graph});
+  map.scanners = scanners_.results();
+  map.gyro = tracker_.gyro();
   map.num_with_odometry = num_with_odometry_;
   add_certainty(map);
   return map;
@@ -277,6 +299,10 @@ Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   return parts_->add(scan, T_wheels_base);
+}
+
+void Mapper::add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
+  parts_->add_turn_rate(stamp, turn_rad_per_s);
 }
 
 Map Mapper::finish() const { return parts_->finish(); }

@@ -41,14 +41,23 @@ class Mapper {
   Mapper(Mapper&&) noexcept;
   Mapper& operator=(Mapper&&) noexcept;
 
-  /// The next scan of the log, with the robot's pose by wheel odometry where the log has one.
+  /// The next scan of the log, with the robot's pose by wheel odometry where the log has one. Scans
+  /// of several scanners, each with its mounting and its number (Scan::scanner), come in the order
+  /// of time. Those of a further scanner are left out of the map until its mounting has been
+  /// confirmed (MappedScanner): TrackedPose::is_mapped says so.
   /// Throws ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not
   /// finite.
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
+  /// A sample of a gyro: how fast the robot turns, counterclockwise seen from above. In the order
+  /// of time with the scans. Helps where there is no odometry; one that does not turn as the scans
+  /// show is ignored (Map::gyro).
+  void add_turn_rate(Timestamp stamp, double turn_rad_per_s);
+
   /// The map of all scans so far; more may follow.
   [[nodiscard]] Map finish() const;
 
+  /// Scans mapped.
   [[nodiscard]] std::size_t num_scans() const;
 
  private:

@@ -8,6 +8,7 @@ namespace setsquare {
 
 void MapperParams::validate() const {
   tracker.validate();
+  mounting.validate();
   direction.validate();
   motion.validate();
   heading.validate();

@@ -67,6 +67,7 @@ struct ClosureVerdictParams {
 
 /// Parameters of LoopCloser.
 struct LoopCloserParams {
+  // Both for each of the track's scanners.
   std::size_t station_spacing = 3;    ///< Keyframes from station to station ...
   std::size_t submap_half_width = 3;  ///< ... and to either side of one in its submap.
   ClosureCandidateParams candidates;
@@ -95,7 +96,8 @@ struct PieceJoiningParams {
 /// Parameters of register_keyframes.
 struct RegistrationParams {
   int num_rounds = 2;
-  std::size_t num_before = 4;    ///< Keyframes just before it that each is compared with.
+  /// Keyframes just before it that each is compared with, for each of the track's scanners.
+  std::size_t num_before = 4;
   std::size_t max_revisits = 6;  ///< Keyframes of earlier visits, by accepted closures.
   AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
   double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
@@ -106,9 +108,27 @@ struct RegistrationParams {
   void validate() const;
 };
 
+/// Parameters of MountingTrial.
+struct MountingTrialParams {
+  /// Scans of a further scanner that must fit what the others saw before it is judged; with 0 every
+  /// mounting is believed.
+  std::size_t num_sightings = 40;
+  double spacing_m = 0.1;                    ///< The robot moves on by this ...
+  double spacing_rad = rad_from_deg(5.0);    ///< ... or this from one to the next.
+  std::size_t max_tries_per_sighting = 3;    ///< With more, the scanner is unfit.
+  double max_off_m = 0.1;                    ///< Beyond this ...
+  double max_off_rad = rad_from_deg(1.0);    ///< ... or this a mounting harms a map, ...
+  double max_sigmas = 3.0;                   ///< ... if it is certain by so many sigmas.
+  double max_sigma_rad = rad_from_deg(0.5);  ///< Judged when the heading is known to this.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the mapper; every default works.
 struct MapperParams {
   ScanTrackerParams tracker;
+  MountingTrialParams mounting;
   SquareDirectionParams direction;
   MotionUncertaintyParams motion;
   HeadingFusionParams heading;

@@ -40,7 +40,7 @@ TrackedPose PaperMapper::add(const Scan& scan, PreparedPaperScan current) {
                         .T_map_sensor = T_map_sensor_,
                         .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
                         .score = tracked.score});
-  kept_.add(tracked, [&] { return std::make_shared<const Scan>(scan); });
+  kept_.add(tracked, scan.scanner, [&] { return std::make_shared<const Scan>(scan); });
   return tracked;
 }
 
@@ -57,6 +57,7 @@ TrackedPose PaperMapper::place(const PreparedPaperScan& current) {
     follow(match_paper(*keyframe_, current, params_.matcher), current, tracked);
   }
   tracked.T_odom_sensor = T_map_sensor_;
+  tracked.T_odom_body = T_map_sensor_;
   return tracked;
 }
 

@@ -121,6 +121,7 @@ void register_keyframes(const KeyframeTrack& track,
                         PoseGraph& graph,
                         const RegistrationParams& params,
                         std::size_t num_threads) {
+  const std::size_t num_before = params.num_before * track.num_scanners();
   for (int round = 0; round < params.num_rounds; ++round) {
     const auto earlier = revisited_keyframes(track, closures, graph, params.max_revisits);
     std::vector<std::vector<Constraint>> compared(track.size());
@@ -132,7 +133,7 @@ void register_keyframes(const KeyframeTrack& track,
         auto constraint = compare(track, reference, k, samples, graph, params, marks);
         if (constraint) compared[k].push_back(*std::move(constraint));
       };
-      for (std::size_t before = 1; before <= std::min(k, params.num_before); ++before) {
+      for (std::size_t before = 1; before <= std::min(k, num_before); ++before) {
         if (track.stretches[k - before] == track.stretches[k]) add(k - before);
       }
       for (const std::size_t reference : earlier[k]) add(reference);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/scan/housing.hpp"
 
 namespace setsquare {
 
@@ -15,7 +16,9 @@ double Scan::field_of_view_rad() const {
 
 BeamOutcome Scan::outcome(std::size_t beam) const {
   const double range_m = ranges_m[beam];
-  if (std::isnan(range_m) || range_m <= 0.0 || range_m < min_range_m) return BeamOutcome::kInvalid;
+  if (std::isnan(range_m) || range_m < kHousingRadius_m || range_m < min_range_m) {
+    return BeamOutcome::kInvalid;
+  }
   if (range_m >= max_range_m || std::isinf(range_m)) return BeamOutcome::kNoReturn;
   return BeamOutcome::kReturn;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <vector>
 
@@ -30,7 +31,8 @@ struct Scan {
   std::vector<double> ranges_m;  ///< One per beam, as the sensor gave them, codes and NaN included.
   Pose2 T_base_sensor;           ///< The sensor's mounting on the robot.
   double time_increment_s = 0.0;  ///< From a beam to the next; 0 where the log does not say.
-  double scan_time_s = 0.0;       ///< From a scan to the next; 0 where the log does not say.
+  double scan_time_s = 0.0;       ///< From a sweep to the next; 0 where the log does not say.
+  std::uint32_t scanner = 0;      ///< Which of the robot's scanners: another number for each.
 
   [[nodiscard]] std::size_t num_beams() const { return ranges_m.size(); }
   [[nodiscard]] double bearing_rad(std::size_t beam) const {

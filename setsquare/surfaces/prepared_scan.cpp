@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/surfaces/prepared_scan.hpp"
 
+#include <optional>
 #include <utility>
 
 #include "setsquare/core/approximate_bearing.hpp"
+#include "setsquare/scan/isolated_returns.hpp"
 
 namespace setsquare {
 namespace {
@@ -47,7 +49,8 @@ std::vector<float> bearings_from(double middle_rad, const SurfaceSamples& sample
 
 PreparedScan prepare(const Scan& scan, const SurfaceParams& params, const SampleParams& samples) {
   scan.validate();
-  return prepare(scan_surfaces(scan, params), samples);
+  const std::optional<Scan> cleared = without_isolated_returns(scan);
+  return prepare(scan_surfaces(cleared ? *cleared : scan, params), samples);
 }
 
 PreparedScan prepare(ScanSurfacesPtr surfaces, const SampleParams& samples) {

@@ -16,6 +16,7 @@ namespace setsquare {
 struct Keyframe {
   std::size_t scan_index = 0;
   Pose2 T_odom_sensor;
+  Pose2 T_odom_body;  ///< See BodyMounting.
   Scan scan;
   ScanSurfacesPtr surfaces;  ///< Of the scan, as tracking made them.
 

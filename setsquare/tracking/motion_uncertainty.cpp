@@ -27,7 +27,7 @@ void MotionUncertaintyParams::validate() const {
   require_positive(restart_sigma_rad_by_odometry, "restart_sigma_rad_by_odometry");
 }
 
-void MotionUncertainty::add(const TrackedPose& tracked) {
+void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
   has_odometry_ = has_odometry_ && tracked.has_odometry;
   const auto add_jump = [&](double sigma_m, double sigma_rad) {
     jump_variance_m2_ += sigma_m * sigma_m;
@@ -38,8 +38,7 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
       break;
     case TrackStatus::kDegenerate: {
       const double way_m =
-          has_last_ ? (tracked.T_odom_sensor.translation() - T_odom_last_.translation()).norm()
-                    : 0.0;
+          has_last_ ? (tracked.T_odom_body.translation() - T_odom_last_.translation()).norm() : 0.0;
       const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
                                                           : params_.open_sigma_per_metre;
       const Eigen::Vector2d& u = tracked.open.direction;
@@ -51,6 +50,7 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
       add_jump(params_.recovered_sigma_m, params_.recovered_sigma_rad);
       break;
     case TrackStatus::kLost:
+      if (is_bridged(scanner)) break;
       if (tracked.has_odometry) {
         add_jump(params_.lost_sigma_m_by_odometry, params_.lost_sigma_rad_by_odometry);
       } else {
@@ -63,7 +63,9 @@ void MotionUncertainty::add(const TrackedPose& tracked) {
   } else if (tracked.is_restart) {
     add_jump(params_.restart_sigma_m, params_.restart_sigma_rad);
   }
-  T_odom_last_ = tracked.T_odom_sensor;
+  T_odom_last_ = tracked.T_odom_body;
+  was_lost_ = tracked.status == TrackStatus::kLost;
+  last_scanner_ = scanner;
   has_last_ = true;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstdint>
 #include <Eigen/Core>
 
 #include "setsquare/core/angle.hpp"
@@ -25,18 +26,25 @@ class MotionUncertainty {
  public:
   explicit MotionUncertainty(const MotionUncertaintyParams& params) : params_(params) {}
 
-  /// The next scan.
-  void add(const TrackedPose& tracked);
+  /// The next scan, of one of the robot's scanners. One that is lost right after another scanner's
+  /// was not adds nothing: that one saw the motion.
+  void add(const TrackedPose& tracked, std::uint32_t scanner = 0);
 
   /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
   [[nodiscard]] MotionCovariance take();
 
  private:
+  [[nodiscard]] bool is_bridged(std::uint32_t scanner) const {
+    return has_last_ && scanner != last_scanner_ && !was_lost_;
+  }
+
   MotionUncertaintyParams params_;
   bool has_last_ = false;
-  bool has_odometry_ = true;  ///< At every scan since the last keyframe.
-  Pose2 T_odom_last_;         ///< Of the last scan ...
-  Pose2 T_odom_keyframe_;     ///< ... and of the last keyframe.
+  bool was_lost_ = false;           ///< The last scan ...
+  std::uint32_t last_scanner_ = 0;  ///< ... and its scanner.
+  bool has_odometry_ = true;        ///< At every scan since the last keyframe.
+  Pose2 T_odom_last_;               ///< Of the body at the last scan ...
+  Pose2 T_odom_keyframe_;           ///< ... and at the last keyframe.
   /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.
   Eigen::Matrix2d open_sigma_m_ = Eigen::Matrix2d::Zero();
   double jump_variance_m2_ = 0.0;

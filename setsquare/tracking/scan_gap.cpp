@@ -27,10 +27,12 @@ void ScanGapParams::validate() const {
 }
 
 bool ScanGap::add(const Scan& scan) {
-  const std::optional<Scan> before = std::exchange(last_, scan);
+  const auto [last, is_first] = last_.try_emplace(scan.scanner);
+  const Scan before = std::exchange(last->second, scan);
+  const auto last_stamp = std::exchange(last_stamp_, scan.stamp);
   const Timestamp latest =
-      std::exchange(latest_, before ? std::max(before->stamp, scan.stamp) : scan.stamp);
-  if (!before) return false;
+      std::exchange(latest_, last_stamp ? std::max(*last_stamp, scan.stamp) : scan.stamp);
+  if (!last_stamp) return false;
   const double pause_s = seconds_between(latest, scan.stamp);
   if (pause_s <= 0.0) return false;
   if (period_s_ == 0.0) {  // the first pause may not be a usual one
@@ -41,7 +43,7 @@ bool ScanGap::add(const Scan& scan) {
     period_s_ += kNewest * (pause_s - period_s_);
     return false;
   }
-  return !is_same_view(*before, scan);
+  return is_first || !is_same_view(before, scan);
 }
 
 bool ScanGap::is_same_view(const Scan& a, const Scan& b) const {

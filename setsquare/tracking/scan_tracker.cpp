@@ -2,11 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/scan_tracker.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <utility>
 
 #include "setsquare/tracking/recovery.hpp"
+#include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
 
 namespace setsquare {
@@ -41,19 +44,25 @@ class ScanTracker::ArrivedScan {
 };
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
-    : params_(params), motion_(params.num_scans_averaged), gap_(params.gap) {
+    : params_(params), motion_(params.num_scans_averaged), gap_(params.gap), gyro_(params.gyro) {
   params_.validate();
 }
 
-TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor) {
+TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   ArrivedScan arrived(scan, params_);
-  const Pose2 predicted = num_scans_ == 0 ? Pose2{} : motion_.next(T_wheels_sensor);
-  const bool has_odometry = motion_.has_odometry(T_wheels_sensor);
+  if (num_scans_ == 0) T_base_body_ = scan.T_base_sensor;
+  const BodyMounting mounting(T_base_body_, scan.T_base_sensor);
+  const std::optional<Pose2> T_wheels_body = body_by_wheels(T_wheels_base);
+  const Pose2 predicted = mounting.sensor_of(expected_body(scan, T_wheels_base));
+  const bool has_odometry = motion_.has_odometry(T_wheels_body);
   const bool is_behind_gap = gap_.add(scan) && !has_odometry;
-  const Situation situation = situation_of(arrived.num_points(), is_behind_gap);
+  const bool is_repeated = repeated_.add(scan, T_wheels_base);
+  const Situation situation =
+      is_repeated ? Situation::kSeesNothingNew : situation_of(arrived.num_points(), is_behind_gap);
   TrackedPose tracked = [&]() -> TrackedPose {
     switch (situation) {
       case Situation::kSeesTooLittle:
+      case Situation::kSeesNothingNew:
         return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = {}};
       case Situation::kNoSubmap:
         return {.T_odom_sensor = predicted, .open = {}};
@@ -64,16 +73,67 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
     }
     return {};
   }();
+  tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = has_odometry;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
   if (tracked.is_restart) start_anew();
-  tracked.is_keyframe = situation != Situation::kSeesTooLittle && is_to_be_kept(tracked);
-  if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked.T_odom_sensor);
-  motion_.add(tracked.T_odom_sensor, T_wheels_sensor);
+  tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
+  if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
+  motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
+  compare_gyro(scan, tracked);
   ++num_scans_;
   return tracked;
+}
+
+bool ScanTracker::is_evidence(Situation situation) {
+  return situation != Situation::kSeesTooLittle && situation != Situation::kSeesNothingNew;
+}
+
+std::optional<MountingSighting> ScanTracker::sight(const Scan& scan,
+                                                   const std::optional<Pose2>& T_wheels_base) {
+  ArrivedScan arrived(scan, params_);
+  if (situation_of(arrived.num_points(), false) != Situation::kExpected) return std::nullopt;
+  const TrackedPose start = expected(scan, T_wheels_base);
+  const TrackedPose seen = place_expected(arrived, start.T_odom_sensor, start.has_odometry);
+  if (seen.status == TrackStatus::kLost) return std::nullopt;
+  return MountingSighting{seen.T_odom_sensor, seen.status != TrackStatus::kDegenerate};
+}
+
+TrackedPose ScanTracker::expected(const Scan& scan,
+                                  const std::optional<Pose2>& T_wheels_base) const {
+  TrackedPose expected;
+  expected.is_mapped = false;
+  expected.has_odometry = motion_.has_odometry(body_by_wheels(T_wheels_base));
+  expected.T_odom_body = expected_body(scan, T_wheels_base);
+  expected.T_odom_sensor =
+      BodyMounting(T_base_body_, scan.T_base_sensor).sensor_of(expected.T_odom_body);
+  return expected;
+}
+
+Pose2 ScanTracker::expected_body(const Scan& scan,
+                                 const std::optional<Pose2>& T_wheels_base) const {
+  if (num_scans_ == 0) return {};
+  return motion_.next(body_by_wheels(T_wheels_base),
+                      {scan.scanner, scan.stamp},
+                      gyro_.turn_rad(last_.stamp, scan.stamp));
+}
+
+void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
+  const Placed now{
+      scan.stamp,
+      tracked.T_odom_body.theta_rad,
+      tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
+  if (last_.is_tracked && now.is_tracked) {
+    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.heading_rad - last_.heading_rad));
+  }
+  last_ = now;
+}
+
+std::optional<Pose2> ScanTracker::body_by_wheels(const std::optional<Pose2>& T_wheels_base) const {
+  if (!T_wheels_base) return std::nullopt;
+  return *T_wheels_base * T_base_body_;
 }
 
 ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is_behind_gap) const {
@@ -138,12 +198,12 @@ bool ScanTracker::is_open(const SubmapFit& fit) const {
 }
 
 void ScanTracker::count_lost(TrackStatus status, Situation situation) {
-  if (situation == Situation::kSeesTooLittle) return;
+  if (!is_evidence(situation)) return;
   num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
 }
 
 bool ScanTracker::is_restart(Situation situation) const {
-  if (situation == Situation::kSeesTooLittle) return false;
+  if (!is_evidence(situation)) return false;
   return num_lost_ >= params_.max_lost_scans ||
          (num_lost_ > 0 && situation == Situation::kAnywhere);
 }
@@ -155,24 +215,35 @@ void ScanTracker::start_anew() {
   num_lost_ = 0;
 }
 
-bool ScanTracker::is_to_be_kept(const TrackedPose& tracked) const {
+bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const {
   if (submap_.empty()) return true;
   if (tracked.status == TrackStatus::kLost) return false;  // It would stand at a guessed place.
-  const Pose2 moved = submap_.back()->T_odom_sensor.inverse() * tracked.T_odom_sensor;
+  const auto last = std::find_if(submap_.rbegin(), submap_.rend(), [&](const KeyframePtr& kept) {
+    return kept->scan.scanner == scan.scanner;
+  });
+  if (last == submap_.rend()) return true;
+  const Pose2 moved = (*last)->T_odom_body.inverse() * tracked.T_odom_body;
   return std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
          std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
 }
 
-void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Pose2& T_odom_sensor) {
-  if (submap_.size() == params_.num_keyframes) {
+std::size_t ScanTracker::num_scanners() const {
+  std::set<std::uint32_t> scanners;
+  for (const KeyframePtr& keyframe : submap_) scanners.insert(keyframe->scan.scanner);
+  return scanners.size();
+}
+
+void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const TrackedPose& tracked) {
+  if (submap_.size() >= params_.num_keyframes * std::max<std::size_t>(1, num_scanners())) {
     submap_.erase(submap_.begin());
     submap_images_.erase(submap_images_.begin());
   }
   submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
-                                                        .T_odom_sensor = T_odom_sensor,
+                                                        .T_odom_sensor = tracked.T_odom_sensor,
+                                                        .T_odom_body = tracked.T_odom_body,
                                                         .scan = scan,
                                                         .surfaces = std::move(surfaces)}));
-  submap_images_.push_back({&submap_.back()->image(), T_odom_sensor});
+  submap_images_.push_back({&submap_.back()->image(), tracked.T_odom_sensor});
 }
 
 }  // namespace setsquare

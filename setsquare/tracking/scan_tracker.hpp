@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
 #include "setsquare/tracking/motion_prediction.hpp"
+#include "setsquare/tracking/repeated_scan.hpp"
 #include "setsquare/tracking/scan_gap.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
@@ -15,9 +17,11 @@
 
 namespace setsquare {
 
-/// Places scan after scan against a submap of the latest keyframes.
+/// Places scan after scan against a submap of the latest keyframes. The scans may come from several
+/// scanners (Scan::scanner) in the order of time: each is expected where the last one, of whichever
+/// scanner, left the robot's body (BodyMounting).
 ///
-/// 1. Predict: from the odometry if there is any, else from the last motion.
+/// 1. Predict: from the odometry if there is any, else from the last motion and the gyro.
 /// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
 /// 3. Recover where the scan does not fit, or where the log has a gap that no odometry bridges: the
 ///    guess-free matcher, anywhere and at any turn. After a gap no other answer counts.
@@ -27,11 +31,23 @@ class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParams& params = {});
 
-  /// Places the next scan. `T_wheels_sensor` is the pose of the sensor by wheel odometry, in any
+  /// Places the next scan. `T_wheels_base` is the pose of the robot by wheel odometry, in any
   /// frame that stays put. The first scan stands at the identity. A scan with fewer than min_points
   /// returns is lost, at the predicted pose, and leaves the submap as it was; until one has more,
   /// there is no submap.
-  TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_sensor);
+  TrackedPose track(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+
+  /// A sample of a gyro about the robot's vertical axis, in the order of time with the scans.
+  void add_turn_rate(Timestamp stamp, double turn_rad_per_s) { gyro_.add(stamp, turn_rad_per_s); }
+  [[nodiscard]] const GyroReport& gyro() const { return gyro_.report(); }
+
+  /// Where a scan fits the submap, for a scanner whose mounting is not believed. Tracking goes on
+  /// as if the scan had not come. Nothing where it fits nowhere, or there is no submap.
+  [[nodiscard]] std::optional<MountingSighting> sight(const Scan& scan,
+                                                      const std::optional<Pose2>& T_wheels_base);
+  /// Where a scan is expected, which is not mapped. Not to be called before the first track().
+  [[nodiscard]] TrackedPose expected(const Scan& scan,
+                                     const std::optional<Pose2>& T_wheels_base) const;
 
   /// The scans kept that the next one is compared with, the latest at the back.
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
@@ -39,13 +55,21 @@ class ScanTracker {
  private:
   /// What is known of a scan before it is placed.
   enum class Situation {
-    kSeesTooLittle,  ///< Fewer than min_points returns: lost; the submap stays as it is.
-    kNoSubmap,       ///< Nothing to place it against: it begins a submap where it is predicted.
-    kExpected,       ///< Near the predicted pose, but for a slip of tracking.
-    kAnywhere,       ///< A gap in the log, and no odometry: it may be anywhere.
+    kSeesTooLittle,   ///< Fewer than min_points returns: lost; the submap stays as it is.
+    kSeesNothingNew,  ///< The last scan again while the wheels moved (RepeatedScan): the same.
+    kNoSubmap,        ///< Nothing to place it against: it begins a submap where it is predicted.
+    kExpected,        ///< Near the predicted pose, but for a slip of tracking.
+    kAnywhere,        ///< A gap in the log, and no odometry: it may be anywhere.
   };
   class ArrivedScan;
 
+  /// Whether a scan speaks for or against the submap.
+  [[nodiscard]] static bool is_evidence(Situation situation);
+
+  [[nodiscard]] Pose2 expected_body(const Scan& scan,
+                                    const std::optional<Pose2>& T_wheels_base) const;
+  [[nodiscard]] std::optional<Pose2> body_by_wheels(
+      const std::optional<Pose2>& T_wheels_base) const;
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
@@ -59,15 +83,28 @@ class ScanTracker {
   /// Whether the submap restarts with the scan that was counted last.
   [[nodiscard]] bool is_restart(Situation situation) const;
   void start_anew();
-  [[nodiscard]] bool is_to_be_kept(const TrackedPose& tracked) const;
-  void keep(const Scan& scan, ScanSurfacesPtr surfaces, const Pose2& T_odom_sensor);
+  /// Compares the gyro with the turn from the last scan to this one, where both were tracked.
+  void compare_gyro(const Scan& scan, const TrackedPose& tracked);
+  [[nodiscard]] bool is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const;
+  /// Scanners that the submap has keyframes of.
+  [[nodiscard]] std::size_t num_scanners() const;
+  void keep(const Scan& scan, ScanSurfacesPtr surfaces, const TrackedPose& tracked);
 
   ScanTrackerParams params_;
   MotionPrediction motion_;
   ScanGap gap_;
+  RepeatedScan repeated_;
+  Gyro gyro_;
+  Pose2 T_base_body_;
   std::vector<KeyframePtr> submap_;
   std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.
   PointMarks marks_;
+  /// Of the last scan: by it the gyro's turns are told apart.
+  struct Placed {
+    Timestamp stamp;
+    double heading_rad = 0.0;  ///< Of the body.
+    bool is_tracked = false;   ///< Without a jump.
+  } last_;
   std::size_t num_scans_ = 0;
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };

@@ -63,6 +63,7 @@ void ScanTrackerParams::validate() const {
   corridor.validate();
   recovery.validate();
   gap.validate();
+  gyro.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");

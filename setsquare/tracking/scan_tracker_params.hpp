@@ -29,6 +29,21 @@ struct ScanGapParams {
   void validate() const;
 };
 
+/// Parameters of Gyro.
+struct GyroParams {
+  double max_pause_s = 0.25;                ///< Between samples; longer ones leave a gap.
+  double stretch_s = 0.5;                   ///< Of each comparison with the scans' turns.
+  std::size_t num_stretches = 200;          ///< The latest, by which it is judged.
+  std::size_t min_turns = 8;                ///< Of these, with a turn of more than ...
+  double min_turn_rad = rad_from_deg(5.0);  ///< ... this.
+  double max_rest_rad = rad_from_deg(1.0);  ///< With a smaller turn the robot does not turn.
+  double max_deviation = 0.25;              ///< Median of the ratios', as a share of the scale.
+  double scale_factor = 1.25;               ///< The scale may be off by this.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// How far a prediction is trusted along a direction that the walls leave free.
 struct PredictionTrust {
   double weight = 2.0;    ///< Of each effective point that is missing.
@@ -84,7 +99,7 @@ struct RecoveryParams {
 
 /// Parameters of the scan tracker.
 struct ScanTrackerParams {
-  std::size_t num_keyframes = 8;     ///< In the submap, the latest.
+  std::size_t num_keyframes = 8;     ///< In the submap, the latest of each scanner.
   double keyframe_distance_m = 0.4;  ///< The paper's spacing (section 5.1).
   double keyframe_turn_rad = rad_from_deg(10.0);
   std::size_t num_scans_averaged = 7;  ///< For the last motion.
@@ -94,6 +109,7 @@ struct ScanTrackerParams {
   CorridorSearchParams corridor;
   RecoveryParams recovery;
   ScanGapParams gap;
+  GyroParams gyro;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.

@@ -8,12 +8,20 @@
 
 namespace setsquare {
 
+/// Where a scan of a scanner whose mounting is not believed would stand, by what it sees.
+struct MountingSighting {
+  Pose2 T_odom_sensor;
+  bool is_bound = true;  ///< Whether the walls bind its position in every direction.
+};
+
 /// A scan placed by tracking, with its evidence. A separate header, so that users of Mapper need
 /// not include the rest of the tracker.
 struct TrackedPose {
   TrackStatus status = TrackStatus::kTracked;
   Pose2 T_odom_sensor;
+  Pose2 T_odom_body = {};  ///< Of the robot, as tracking follows it: of the first scan's scanner.
   bool is_keyframe = false;
+  bool is_mapped = true;      ///< Else the pose is the expected one (MappedScanner).
   bool is_restart = false;    ///< Lost for so long that the submap restarts with this scan.
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.

@@ -32,6 +32,7 @@ KeyframeTrack track_at(const std::vector<Pose2>& T_odom_sensor) {
   for (const Pose2& pose : T_odom_sensor) {
     Keyframe keyframe;
     keyframe.T_odom_sensor = {pose.x_m, pose.y_m, wrap_to_pi(pose.theta_rad)};
+    keyframe.T_odom_body = keyframe.T_odom_sensor;
     track.keyframes.push_back(std::make_shared<Keyframe>(keyframe));
     track.motions.push_back({1e-4 * Eigen::Matrix2d::Identity(), 1e-5});
     track.stretches.push_back(0);

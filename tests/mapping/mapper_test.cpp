@@ -11,7 +11,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "tests/support/pose_matchers.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::mapper_test {
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "tests/support/pose_matchers.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::paper_mapper_test {
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "setsquare/mapping/mapper.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::track_certainty_test {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "setsquare/mapping/keyframe_track.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::testing {
 
@@ -32,6 +32,7 @@ inline std::vector<Pose2> spaced(const std::vector<Pose2>& poses,
 inline KeyframePtr make_keyframe(const Scan& scan, const Pose2& T_odom_sensor, std::size_t index) {
   return std::make_shared<Keyframe>(Keyframe{.scan_index = index,
                                              .T_odom_sensor = T_odom_sensor,
+                                             .T_odom_body = T_odom_sensor,
                                              .scan = scan,
                                              .surfaces = scan_surfaces(scan)});
 }

@@ -42,6 +42,15 @@ TEST(Scan, JudgesEveryKindOfRange) {
   }
 }
 
+TEST(Scan, ARangeInsideTheScannerIsACode) {
+  Scan scan = half_turn({0.001, 0.019, 0.029, 0.03});
+  scan.min_range_m = 0.0;
+  for (const std::size_t beam : {0U, 1U, 2U}) {
+    EXPECT_EQ(scan.outcome(beam), BeamOutcome::kInvalid);
+  }
+  EXPECT_EQ(scan.outcome(3), BeamOutcome::kReturn);
+}
+
 TEST(Scan, InfinityIsNoReturnEvenWithoutALimit) {
   Scan scan = half_turn({kInfinity, 1e6});
   scan.max_range_m = kInfinity;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdint>
 #include <optional>
 
 #include "tests/support/pose_matchers.hpp"
@@ -44,6 +46,30 @@ TEST(MotionPrediction, StandsStillAtTheBeginningAndAfterARestart) {
   motion.add({2.0, 1.0, 0.2}, std::nullopt);
   motion.restart();
   EXPECT_EQ(motion.next(std::nullopt), (Pose2{2.0, 1.0, 0.2}));
+}
+
+TEST(MotionPrediction, GoesOnToTheScansOfAnotherScannerByTheStamps) {
+  // Two scanners, the second one 20 ms behind the first, on an arc at constant speed.
+  const auto pose_at = [](double time_s) {
+    const double heading_rad = 0.8 * time_s;
+    return Pose2{std::sin(heading_rad), 1.0 - std::cos(heading_rad), wrap_to_pi(heading_rad)};
+  };
+  const auto sweep_at = [](std::uint32_t scanner, double time_s) {
+    return SweepStart{scanner, {static_cast<std::int64_t>(std::llround(1e9 * time_s))}};
+  };
+  MotionPrediction motion(7);
+  for (int i = 0; i < 30; ++i) {
+    for (const std::uint32_t scanner : {0U, 1U}) {
+      const double time_s = 0.1 * i + 0.02 * scanner;
+      if (i > 10) {
+        EXPECT_THAT(
+            motion.next(std::nullopt, sweep_at(scanner, time_s)),
+            PoseNear(pose_at(time_s), PoseTolerance{.translation_m = 2e-3, .rotation_rad = 1e-6}))
+            << time_s;
+      }
+      motion.add(pose_at(time_s), std::nullopt, sweep_at(scanner, time_s));
+    }
+  }
 }
 
 }  // namespace setsquare::motion_prediction_test

@@ -10,10 +10,10 @@ namespace setsquare::motion_uncertainty_test {
 
 const MotionUncertaintyParams kParams;
 
-TrackedPose at(const Pose2& T_odom_sensor, TrackStatus status = TrackStatus::kTracked) {
+TrackedPose at(const Pose2& T_odom_body, TrackStatus status = TrackStatus::kTracked) {
   TrackedPose tracked;
   tracked.status = status;
-  tracked.T_odom_sensor = T_odom_sensor;
+  tracked.T_odom_body = T_odom_body;
   return tracked;
 }
 
@@ -78,6 +78,19 @@ TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
   const MotionCovariance in_eight = covariance_of(many);
   const MotionCovariance in_one = covariance_of({at({}), open_along(0.3, {0.4, 0.0, 0.0})});
   EXPECT_TRUE(in_eight.translation_m2.isApprox(in_one.translation_m2, 1e-9));
+}
+
+TEST(MotionUncertainty, WhatAnotherScannerSawIsNotLost) {
+  MotionUncertainty one_blind(kParams);
+  MotionUncertainty both_blind(kParams);
+  for (int i = 0; i < 10; ++i) {
+    one_blind.add(at({}), 0);
+    one_blind.add(at({}, TrackStatus::kLost), 1);
+    both_blind.add(at({}, TrackStatus::kLost), 0);
+    both_blind.add(at({}, TrackStatus::kLost), 1);
+  }
+  EXPECT_EQ(one_blind.take().translation_m2, covariance_of({at({})}).translation_m2);
+  EXPECT_GT(both_blind.take().translation_m2.trace(), 10.0 * square(kParams.lost_sigma_m));
 }
 
 TEST(MotionUncertainty, OdometryReducesTheUncertainty) {

@@ -100,4 +100,24 @@ TEST(ScanGap, ScansThatSeeNothingAreNotAlike) {
   EXPECT_TRUE(gap.add(blind_at(60.0)));
 }
 
+TEST(ScanGap, AScannerIsComparedWithItsOwnLastScan) {
+  const auto scan_of = [](std::uint32_t scanner, double stamp_s, const Pose2& pose) {
+    Scan scan = scan_at(stamp_s, pose);
+    scan.scanner = scanner;
+    return scan;
+  };
+  const Pose2 front{1.0, 1.0, 0.0};
+  const Pose2 rear{0.5, 1.0, -3.0};
+  ScanGap gap({});
+  for (int i = 0; i < 10; ++i) {
+    EXPECT_FALSE(gap.add(scan_of(0, 0.1 * i, front)));
+    EXPECT_FALSE(gap.add(scan_of(1, 0.1 * i + 0.05, rear)));
+  }
+  EXPECT_FALSE(gap.add(scan_of(0, 20.0, front))) << "it stood still";
+  EXPECT_FALSE(gap.add(scan_of(1, 20.05, rear)));
+  EXPECT_TRUE(gap.add(scan_of(1, 40.0, kElsewhere)));
+  EXPECT_FALSE(gap.add(scan_of(0, 40.05, kElsewhere))) << "the other scanner has found it";
+  EXPECT_TRUE(gap.add(scan_of(2, 60.0, kElsewhere))) << "what it saw before is not known";
+}
+
 }  // namespace setsquare::scan_gap_test

@@ -13,7 +13,7 @@
 #include "setsquare/core/error.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/rooms.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::scan_tracker_test {
 

@@ -10,7 +10,7 @@
 
 #include "setsquare/tracking/submap_refinement.hpp"
 #include "tests/support/pose_matchers.hpp"
-#include "tests/tracking/simulated_drive.hpp"
+#include "tests/support/simulated_drive.hpp"
 
 namespace setsquare::submap_alignment_test {
 

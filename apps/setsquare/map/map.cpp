@@ -15,8 +15,10 @@
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/map/outputs.hpp"
 #include "apps/setsquare/map/run.hpp"
+#include "apps/setsquare/map/sensors.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
+#include "apps/setsquare/scans/findings.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/error.hpp"
@@ -69,30 +71,51 @@ void tell_files(const std::string& folder, const std::vector<std::string>& names
   std::cout << fmt::format("written: {}/{}\n", folder, fmt::join(names, ", "));
 }
 
-/// A map of nothing would replace the last one. Throws FileError.
-void require_something_mapped(const MapOptions& options, const MapSummary& summary) {
+/// What is wrong with the log, damaged records and remarks aside (tell_problems).
+void tell_findings(std::vector<LogFinding> findings) {
+  std::erase_if(findings, [](const LogFinding& finding) {
+    return finding.kind == FindingKind::kRemark || finding.kind == FindingKind::kDamagedRecords;
+  });
+  if (findings.empty()) return;
+  std::cout << "what is wrong with the log\n";
+  print_findings(findings, std::cout);
+}
+
+/// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
+void require_something_mapped(const MapOptions& options,
+                              const MapSummary& summary,
+                              const std::vector<LogFinding>& findings) {
   const std::size_t num_scans = summary.num_scans;
   if (num_scans == 0 || summary.num_lost < num_scans) return;
-  throw FileError(
-      options.log_name(),
-      fmt::format("none of its {} scans could be mapped: too few returns within range", num_scans));
+  std::string reason =
+      fmt::format("none of its {} scans could be mapped: too few returns within range", num_scans);
+  for (const LogFinding& finding : findings) reason += "; " + text_of(finding);
+  throw FileError(options.log_name(), reason);
 }
 
 void map_log(MapOptions options) {
   if (options.num_threads == 0) {
     options.num_threads = std::max(1U, std::thread::hardware_concurrency());
   }
+  if (options.preset == Preset::kPaper && names_several(options.log.sensor)) {
+    throw Error("--sensor: the preset \"paper\" maps one scanner");
+  }
   StageClock clock;
   LogOptions log_options = options.log;
-  log_options.scans_only = true;
+  log_options.scans_only = false;  // the odometry is surveyed, turn rates are used
   const auto reader = open_logs(options.log_paths, log_options);
   OutputSet outputs(options.output_path, map_output_names(), options.log_paths);
   const MapRun run = run_map(*reader, options, clock);
   const MapSummary summary = summary_of(run.map);
-  require_something_mapped(options, summary);
+  require_something_mapped(options, summary, run.findings);
   write_map_outputs(outputs, options, run, clock);
   tell(summary, seconds_of(clock));
+  for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
+    std::cout << sentence << "\n";
+  }
+  if (run.map.gyro.num_samples > 0) std::cout << sentence_on(run.map.gyro) << "\n";
   tell_files(options.output_path, outputs.added());
+  tell_findings(run.findings);
   tell_problems(options.log_name(), run.problems);
 }
 
@@ -123,6 +146,7 @@ void add_map(CLI::App& application) {
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
       "  setsquare map intel.clf -o out --no-odometry\n"
+      "  setsquare map robot.clf -o out --sensor all --mounting ROBOTLASER2=-0.2,0,180\n"
       "  zcat intel.clf.gz | setsquare map - -o out");
   map->callback([options] { map_log(*options); });
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
@@ -63,7 +64,16 @@ Json json_of_options(const MapOptions& options) {
           {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
           {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},
           {"angular_step_deg", json_if(options.log.bearing_step_rad, degrees)},
-          {"max_range_m", json_if(options.log.max_range_m, 1.0)}};
+          {"max_range_m", json_if(options.log.max_range_m, 1.0)},
+          {"odometry_topic",
+           options.log.odometry_topic.empty() ? Json() : Json(options.log.odometry_topic)},
+          {"from_s", json_if(options.log.window.from_s, 1.0)},
+          {"to_s", json_if(options.log.window.to_s, 1.0)},
+          {"max_rate_hz", json_if(options.log.window.max_rate_hz, 1.0)},
+          {"range_scale", options.log.range_scale},
+          {"ignored_ranges_m", options.log.ignored_ranges_m},
+          {"mirror_scans", options.log.mirrors_scans},
+          {"stamp_decimals", static_cast<int>(options.log.stamp_unit)}};
 }
 
 }  // namespace
@@ -72,9 +82,11 @@ RunRecord record_of(const MapOptions& options, const MapRun& run) {
   return {.log = options.log_name(),
           .format = run.format,
           .sensor = run.sensor,
+          .scanner_names = run.scanner_names,
           .preset = options.preset == Preset::kPaper ? "paper" : "default",
           .options_json = text_from(json_of_options(options)),
           .parameters_json = text_from(parameters(options)),
+          .findings_json = json_of_findings(run.findings),
           .num_damaged_records = run.problems.num_damaged};
 }
 

@@ -21,7 +21,7 @@ double way_between(const KeyframeTrack& track,
   double way_m = 0.0;
   for (std::size_t k = from + 1; k <= to; ++k) {
     const Pose2 moved =
-        track.keyframes[k - 1]->T_odom_sensor.inverse() * track.keyframes[k]->T_odom_sensor;
+        track.keyframes[k - 1]->T_odom_body.inverse() * track.keyframes[k]->T_odom_body;
     way_m += std::hypot(moved.x_m, moved.y_m) + params.slip_way * track.motions[k].slip_sigma_m;
   }
   return way_m;
@@ -53,9 +53,11 @@ std::size_t LoopCloser::nearest_station(std::size_t keyframe) const {
 }
 
 void LoopCloser::add_stations(const KeyframeTrack& track, std::size_t num_keyframes) {
-  const std::size_t spacing = params_.station_spacing;
+  const std::size_t num_scanners = track.num_scanners();
+  const std::size_t spacing = params_.station_spacing * num_scanners;
+  const std::size_t half_width = params_.submap_half_width * num_scanners;
   std::size_t next = stations_.empty() ? spacing : stations_.back() + spacing;
-  for (; next + params_.submap_half_width < num_keyframes; next += spacing) {
+  for (; next + half_width < num_keyframes; next += spacing) {
     const std::size_t before = stations_.empty() ? next : stations_.back();
     candidates_.add_station(way_between(track, before, next, params_.candidates),
                             track.pieces[next]);
@@ -79,9 +81,10 @@ std::vector<ComparedPlaces> LoopCloser::compare(const KeyframeTrack& track,
   }
   std::vector<std::pair<const std::size_t, Submap>*> to_make;
   for (auto& entry : submaps) to_make.push_back(&entry);
+  const std::size_t half_width = params_.submap_half_width * track.num_scanners();
   run_in_parallel(to_make.size(), num_threads, [&](std::size_t i) {
     const std::size_t middle = stations_[to_make[i]->first];
-    to_make[i]->second = make_submap(track, T_map_sensor, middle, params_.submap_half_width);
+    to_make[i]->second = make_submap(track, T_map_sensor, middle, half_width);
   });
 
   std::vector<ComparedPlaces> compared(candidates.size());

@@ -44,12 +44,14 @@ class PieceJoiner {
         T_map_sensor_(T_map_sensor.begin(), T_map_sensor.end()),
         closing_(closing),
         params_(params),
-        num_threads_(num_threads) {
+        num_threads_(num_threads),
+        half_width_(closing.submap_half_width * track.num_scanners()) {
     const std::size_t num_pieces = track.pieces.empty() ? 0 : track.pieces.back() + 1;
     places_.resize(num_pieces);
     joined_.turn_rad.assign(num_pieces, 0.0);
     joined_.is_joined.assign(num_pieces, false);
-    for (std::size_t k = 0; k < track.size(); k += closing.station_spacing) add_place(k);
+    const std::size_t spacing = closing.station_spacing * track.num_scanners();
+    for (std::size_t k = 0; k < track.size(); k += spacing) add_place(k);
   }
 
   JoinedPieces join_all() {
@@ -71,7 +73,7 @@ class PieceJoiner {
 
  private:
   void add_place(std::size_t keyframe) {
-    const Submap submap = make_submap(track_, T_map_sensor_, keyframe, closing_.submap_half_width);
+    const Submap submap = make_submap(track_, T_map_sensor_, keyframe, half_width_);
     places_[track_.pieces[keyframe]].push_back(
         {keyframe, place_signature(submap.fine, T_map_sensor_[keyframe].theta_rad)});
   }
@@ -165,10 +167,9 @@ class PieceJoiner {
         setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
     if (match.status != MatchStatus::kMatched) return proposal;
 
-    const std::size_t half_width = closing_.submap_half_width;
     const auto found =
-        match_submaps(make_submap(track_, T_map_sensor_, proposal.known, half_width),
-                      make_submap(track_, T_map_sensor_, proposal.sought, half_width),
+        match_submaps(make_submap(track_, T_map_sensor_, proposal.known, half_width_),
+                      make_submap(track_, T_map_sensor_, proposal.sought, half_width_),
                       {*match.T_reference_current, params_.window_m},
                       closing_.match);
     if (!found) return proposal;
@@ -232,6 +233,7 @@ class PieceJoiner {
   const LoopCloserParams& closing_;
   const PieceJoiningParams& params_;
   std::size_t num_threads_;
+  std::size_t half_width_;                                            ///< Of submaps, in keyframes.
   std::vector<std::vector<Place>> places_;                            ///< By piece.
   std::map<std::pair<std::size_t, std::size_t>, Proposal> verified_;  ///< By known and sought.
   std::map<std::size_t, PreparedScan> prepared_;                      ///< By keyframe.

@@ -49,15 +49,20 @@ ScannerModel with_drawn_beam_count(const ScannerModel& scanner, Random& random) 
 }
 
 /// Where each beam leaves from and goes to, the robot moving on from beam to beam.
-std::vector<Beam> aim_beams(const ScannerModel& scanner, const RobotPath& path, double time_s) {
+std::vector<Beam> aim_beams(const ScannerModel& scanner,
+                            const Pose2& T_base_sensor,
+                            const RobotPath& path,
+                            double time_s) {
   std::vector<Beam> beams(scanner.num_beams);
   const double beam_s =
       scanner.num_beams > 1 ? scanner.sweep_s / static_cast<double>(scanner.num_beams - 1) : 0.0;
   for (std::size_t k = 0; k < beams.size(); ++k) {
     const Pose2 T_map_base = path.pose_at(time_s + beam_s * static_cast<double>(k));
-    const double angle_rad = T_map_base.theta_rad + scanner.first_bearing_rad +
+    const double angle_rad = T_map_base.theta_rad + T_base_sensor.theta_rad +
+                             scanner.first_bearing_rad +
                              scanner.bearing_step_rad * static_cast<double>(k);
-    beams[k].ray = {T_map_base.translation(), {std::cos(angle_rad), std::sin(angle_rad)}};
+    beams[k].ray = {T_map_base * T_base_sensor.translation(),
+                    {std::cos(angle_rad), std::sin(angle_rad)}};
   }
   return beams;
 }
@@ -145,17 +150,18 @@ SimulatedScan simulate_scan(const RayCaster& caster,
                             const ScannerModel& nominal_scanner,
                             const RobotPath& path,
                             double time_s,
-                            Random& random) {
+                            Random& random,
+                            const Pose2& T_base_sensor) {
   const ScannerModel scanner = with_drawn_beam_count(nominal_scanner, random);
   SimulatedScan simulated;
   const double middle_s = time_s + 0.5 * scanner.sweep_s;
   simulated.T_map_base = path.pose_at(middle_s);
   const Surroundings surroundings(caster,
                                   legs_at(people, middle_s),
-                                  simulated.T_map_base.translation(),
+                                  simulated.T_map_base * T_base_sensor.translation(),
                                   scanner.max_range_m + 1.0);
 
-  std::vector<Beam> beams = aim_beams(scanner, path, time_s);
+  std::vector<Beam> beams = aim_beams(scanner, T_base_sensor, path, time_s);
   for (Beam& beam : beams) {
     beam.lots = draw_lots(random);
     beam.sighting = surroundings.look(beam.ray, scanner.max_range_m, beam.lots.returns_from_glass);
@@ -167,6 +173,7 @@ SimulatedScan simulate_scan(const RayCaster& caster,
   scan.bearing_step_rad = scanner.bearing_step_rad;
   scan.min_range_m = scanner.min_range_m;
   scan.max_range_m = scanner.max_range_m;
+  scan.T_base_sensor = T_base_sensor;
   scan.ranges_m = measure(beams, surroundings, scanner);
   simulated.clutter_share = clutter_share(scan, beams);
   return simulated;

@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/setsquare/map/sensors.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare::app {
+namespace {
+
+constexpr int kMinUnlike = 3;  ///< Scans of a sensor that repeat no other's before it is taken.
+
+/// Whether both are one sweep: two scanners, or two sweeps of one that moves, never agree so.
+bool is_same_sweep(const Scan& a, const Scan& b) {
+  constexpr double kRounding_m = 0.011;  // Formats write millimetres or centimetres.
+  constexpr double kMinSame = 0.8;
+  constexpr std::size_t kMinCompared = 20;
+  if (a.num_beams() != b.num_beams()) return false;
+  std::size_t num_compared = 0;
+  std::size_t num_same = 0;
+  for (std::size_t i = 0; i < a.num_beams(); ++i) {
+    if (a.outcome(i) != BeamOutcome::kReturn || b.outcome(i) != BeamOutcome::kReturn) continue;
+    ++num_compared;
+    num_same += std::abs(a.ranges_m[i] - b.ranges_m[i]) < kRounding_m ? 1 : 0;
+  }
+  return num_compared >= kMinCompared &&
+         static_cast<double>(num_same) >= kMinSame * static_cast<double>(num_compared);
+}
+
+std::string text_of(const Pose2& mounting) {
+  return fmt::format(
+      "{:.3f},{:.3f},{:.2f}", mounting.x_m, mounting.y_m, deg_from_rad(mounting.theta_rad));
+}
+
+/// How far the mounting that was seen is off the stated one.
+std::string text_of_difference(const MappedScanner& scanner) {
+  const Pose2 off = scanner.T_base_sensor.inverse() * scanner.T_base_seen;
+  std::string text = fmt::format("turned by {:.1f} +- {:.1f} deg",
+                                 deg_from_rad(off.theta_rad),
+                                 deg_from_rad(scanner.sigma_rad));
+  if (std::isfinite(scanner.sigma_m)) {
+    text += fmt::format(
+        " and moved by {:.2f} +- {:.2f} m", std::hypot(off.x_m, off.y_m), scanner.sigma_m);
+  }
+  return text + " against its stated mounting";
+}
+
+std::string sentence_on(const MappedScanner& scanner,
+                        const std::string& name,
+                        const std::string& reference) {
+  switch (scanner.verdict) {
+    case MountingVerdict::kReference:
+      return fmt::format("sensor {}: leads; {} scans mapped", name, scanner.num_mapped);
+    case MountingVerdict::kConfirmed:
+      return fmt::format("sensor {}: its mounting fits what {} saw ({}); {} of its {} scans mapped",
+                         name,
+                         reference,
+                         text_of_difference(scanner),
+                         scanner.num_mapped,
+                         scanner.num_scans);
+    case MountingVerdict::kRefuted:
+      return fmt::format(
+          "sensor {} is {}, by what {} saw; --mounting {}={} would mend it; its {} scans are left "
+          "out",
+          name,
+          text_of_difference(scanner),
+          reference,
+          name,
+          text_of(scanner.T_base_seen),
+          scanner.num_scans);
+    case MountingVerdict::kUnfit:
+      return fmt::format(
+          "sensor {}: most of its scans fit nowhere in what {} saw; its {} scans are "
+          "left out",
+          name,
+          reference,
+          scanner.num_scans);
+    case MountingVerdict::kOpen:
+      return fmt::format(
+          "sensor {}: too few of its scans could be compared with what {} saw; its {} "
+          "scans are left out",
+          name,
+          reference,
+          scanner.num_scans);
+  }
+  return {};
+}
+
+}  // namespace
+
+bool names_several(const std::string& sensor) {
+  return sensor == "all" || sensor.find(',') != std::string::npos;
+}
+
+bool ChosenScans::takes(const LogRecord& record, const std::string& front_sensor) {
+  if (!names_several(wanted_)) return true;
+  if (leader_.empty()) {
+    leader_ = wanted_ == "all" ? front_sensor : wanted_.substr(0, wanted_.find(','));
+  }
+  has_leader_come_ = has_leader_come_ || record.sensor == leader_;
+  find_repeated(record);
+  last_[record.sensor] = record.scan;
+  if (!has_leader_come_ || repeated_.contains(record.sensor)) return false;
+  return record.sensor == leader_ || ++num_compared_[record.sensor] > kMinUnlike;
+}
+
+void ChosenScans::find_repeated(const LogRecord& record) {
+  for (const auto& [name, scan] : last_) {
+    if (name == record.sensor || repeated_.contains(name) || repeated_.contains(record.sensor) ||
+        !is_same_sweep(scan, record.scan)) {
+      continue;
+    }
+    if (record.sensor == leader_) {
+      repeated_.emplace(name, leader_);
+    } else {
+      repeated_.emplace(record.sensor, name);
+    }
+  }
+}
+
+std::vector<std::string> sentences_on(const std::vector<MappedScanner>& scanners,
+                                      const std::map<std::uint32_t, std::string>& names) {
+  std::vector<std::string> sentences;
+  if (scanners.size() < 2) return sentences;
+  const std::string& reference = names.at(scanners.front().scanner);
+  for (const MappedScanner& scanner : scanners) {
+    sentences.push_back(sentence_on(scanner, names.at(scanner.scanner), reference));
+  }
+  return sentences;
+}
+
+std::string sentence_on(const GyroReport& gyro) {
+  switch (gyro.verdict) {
+    case GyroVerdict::kOpen:
+      return "gyro: not used, the robot did not turn enough to judge it";
+    case GyroVerdict::kBelieved:
+      return fmt::format("gyro: turns as the scans do (scale {:.3f}, bias {:.2f} deg/s)",
+                         gyro.scale,
+                         deg_from_rad(gyro.bias_rad_per_s));
+    case GyroVerdict::kMirrored:
+      return "gyro: ignored, it turns the other way: it is mounted upside down";
+    case GyroVerdict::kDegrees:
+      return "gyro: ignored, its rates are degrees per second";
+    case GyroVerdict::kUnlike:
+      return "gyro: ignored, it does not turn as the scans show";
+  }
+  return {};
+}
+
+}  // namespace setsquare::app

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/odometry_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "setsquare/scan/unchanged_share.hpp"
+
+namespace setsquare {
+
+std::optional<Pose2> OdometryWatch::believed(const Scan& scan,
+                                             const std::optional<Pose2>& T_wheels_base) {
+  constexpr double kFarthest_m = 1e7;
+  constexpr std::size_t kLongRest = 10;
+  constexpr double kLeastUnchanged = 0.5;
+  if (!T_wheels_base) return std::nullopt;
+  const double distance_m = std::max(std::abs(T_wheels_base->x_m), std::abs(T_wheels_base->y_m));
+  if (!(distance_m < kFarthest_m)) return std::nullopt;
+  const bool is_at_rest = rest_ && rest_->T_wheels_base == *T_wheels_base;
+  if (!is_at_rest) {
+    if (!rest_) rest_.emplace();
+    rest_->scan = scan;  // its vector is used again
+    rest_->T_wheels_base = *T_wheels_base;
+    rest_->num_scans = 0;
+    rest_->is_moved = false;
+    return T_wheels_base;
+  }
+  ++rest_->num_scans;
+  if (!rest_->is_moved && rest_->num_scans >= kLongRest) {
+    rest_->is_moved = unchanged_share(rest_->scan, scan).value_or(1.0) < kLeastUnchanged;
+  }
+  return rest_->is_moved ? std::nullopt : T_wheels_base;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/repeated_scan.hpp"
+
+#include <cmath>
+
+namespace setsquare {
+
+bool RepeatedScan::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+  constexpr double kLeastStep_m = 0.001;
+  constexpr double kLeastTurn_rad = rad_from_deg(0.05);
+  bool is_moved = false;
+  if (T_wheels_base_ && T_wheels_base) {
+    const Pose2 moved = T_wheels_base_->inverse() * *T_wheels_base;
+    is_moved = std::hypot(moved.x_m, moved.y_m) > kLeastStep_m ||
+               std::abs(moved.theta_rad) > kLeastTurn_rad;
+  }
+  T_wheels_base_ = T_wheels_base;
+  const bool is_same = scan.ranges_m == ranges_m_;
+  if (!is_same) ranges_m_ = scan.ranges_m;
+  return is_same && is_moved;
+}
+
+}  // namespace setsquare

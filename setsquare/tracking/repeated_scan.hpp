@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/scan/scan.hpp"
+
+namespace setsquare {
+
+/// Finds scans that a driver hands on a second time: noise and the robot's motion change some range
+/// of every new scan. A robot that stands may see the same twice, so the wheels must have moved by
+/// a millimetre or a twentieth of a degree.
+class RepeatedScan {
+ public:
+  /// Whether the scan is the one before again, range by range, while the wheels moved. To be called
+  /// for every scan.
+  [[nodiscard]] bool add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+
+ private:
+  std::vector<double> ranges_m_;
+  std::optional<Pose2> T_wheels_base_;
+};
+
+}  // namespace setsquare
