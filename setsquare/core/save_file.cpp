@@ -8,7 +8,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -89,7 +88,8 @@ class StagedFile {
     }
   }
 
-  /// Its bytes are on their way to the disk, and it has the permissions of the file that it replaces.
+  /// Its bytes are on their way to the disk, and it has the permissions of the file that it
+  /// replaces.
   void close() {
     const bool is_closed = std::fclose(std::exchange(file_, nullptr)) == 0;
     if (!is_closed) complain(path_, std::strerror(errno));
@@ -124,7 +124,8 @@ bool is_no_file(const std::string& path) {
 /// What cannot be replaced is written to.
 class OpenStream {
  public:
-  explicit OpenStream(const std::string& path) : path_(path), file_(std::fopen(path.c_str(), "ab")) {
+  explicit OpenStream(const std::string& path)
+      : path_(path), file_(std::fopen(path.c_str(), "ab")) {
     if (file_ == nullptr) complain(path, std::strerror(errno));
   }
   OpenStream(const OpenStream&) = delete;
@@ -174,31 +175,44 @@ void save_files(std::span<const FileBytes> files) {
 
 class GrowingFile::Target {
  public:
-  explicit Target(const std::string& path) {
-    if (is_no_file(path)) {
-      stream_.emplace(path);
-    } else {
-      staged_.emplace(path);
-    }
-  }
+  virtual ~Target() = default;
+  virtual void append(std::string_view bytes) = 0;
+  virtual void commit() = 0;
+};
 
-  void append(std::string_view bytes) {
-    if (stream_) return stream_->append(bytes);
-    staged_->append(bytes);
-  }
+namespace {
 
-  void commit() {
-    if (stream_) return stream_->close();
-    staged_->close();
-    staged_->put_in_place();
+class GrowingStream final : public GrowingFile::Target {
+ public:
+  explicit GrowingStream(const std::string& path) : stream_(path) {}
+  void append(std::string_view bytes) override { stream_.append(bytes); }
+  void commit() override { stream_.close(); }
+
+ private:
+  OpenStream stream_;
+};
+
+class GrowingStagedFile final : public GrowingFile::Target {
+ public:
+  explicit GrowingStagedFile(const std::string& path) : file_(path) {}
+  void append(std::string_view bytes) override { file_.append(bytes); }
+  void commit() override {
+    file_.close();
+    file_.put_in_place();
   }
 
  private:
-  std::optional<OpenStream> stream_;
-  std::optional<StagedFile> staged_;
+  StagedFile file_;
 };
 
-GrowingFile::GrowingFile(const std::string& path) : target_(std::make_unique<Target>(path)) {}
+std::unique_ptr<GrowingFile::Target> make_target(const std::string& path) {
+  if (is_no_file(path)) return std::make_unique<GrowingStream>(path);
+  return std::make_unique<GrowingStagedFile>(path);
+}
+
+}  // namespace
+
+GrowingFile::GrowingFile(const std::string& path) : target_(make_target(path)) {}
 GrowingFile::~GrowingFile() = default;
 void GrowingFile::append(std::string_view bytes) { target_->append(bytes); }
 void GrowingFile::commit() { target_->commit(); }

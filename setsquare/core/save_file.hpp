@@ -42,8 +42,9 @@ class GrowingFile {
   /// The file takes its name. Throws FileError.
   void commit();
 
+  class Target;  ///< Where the bytes go; of no use to others.
+
  private:
-  class Target;
   std::unique_ptr<Target> target_;
 };
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <limits>
@@ -50,6 +51,22 @@ std::optional<Timestamp> timestamp_from_decimal(std::string_view text) {
   if (!fraction_ns) return std::nullopt;
   const std::int64_t ns = seconds * kNanosecondsPerSecond + *fraction_ns;
   return Timestamp{is_negative ? -ns : ns};
+}
+
+std::optional<Timestamp> timestamp_from_decimal(std::string_view text, StampUnit unit) {
+  constexpr std::size_t kMostDigits = 64;
+  if (unit == StampUnit::kSeconds) return timestamp_from_decimal(text);
+  const bool is_negative = text.starts_with('-');
+  if (is_negative) text.remove_prefix(1);
+  if (text.size() > kMostDigits || text.empty() || !is_digit(text.front())) return std::nullopt;
+  const auto shift = static_cast<std::size_t>(unit);
+  const std::size_t point = std::min(text.find('.'), text.size());
+  std::string whole(text.substr(0, point));
+  if (whole.size() <= shift) whole.insert(0, shift + 1 - whole.size(), '0');
+  std::string seconds = is_negative ? "-" : "";
+  seconds += whole.substr(0, whole.size() - shift) + "." + whole.substr(whole.size() - shift);
+  if (point < text.size()) seconds += text.substr(point + 1);
+  return timestamp_from_decimal(seconds);
 }
 
 Timestamp timestamp_from_seconds(double seconds) {

@@ -29,6 +29,13 @@ struct Timestamp {
 /// Nothing where the text is not a plain decimal number or does not fit.
 [[nodiscard]] std::optional<Timestamp> timestamp_from_decimal(std::string_view text);
 
+/// What a stamp written as a number counts: so many digits behind the point of the seconds.
+enum class StampUnit { kSeconds = 0, kMilliseconds = 3, kMicroseconds = 6, kNanoseconds = 9 };
+
+/// The same for a number of the unit: "976052857337.530" milliseconds.
+[[nodiscard]] std::optional<Timestamp> timestamp_from_decimal(std::string_view text,
+                                                              StampUnit unit);
+
 /// Nearest nanosecond of a time in seconds.
 [[nodiscard]] Timestamp timestamp_from_seconds(double seconds);
 

@@ -16,6 +16,21 @@ TEST(Timestamp, ReadsDecimalSecondsExactly) {
   EXPECT_EQ(timestamp_from_decimal("1.")->ns, 1'000'000'000);
 }
 
+TEST(Timestamp, ReadsFinerUnits) {
+  const auto ms = [](const char* text) {
+    return timestamp_from_decimal(text, StampUnit::kMilliseconds);
+  };
+  EXPECT_EQ(ms("1764350400123.25")->ns, 1764350400123250000);
+  EXPECT_EQ(ms("7")->ns, 7'000'000);
+  EXPECT_EQ(ms("-0.5")->ns, -500'000);
+  EXPECT_EQ(timestamp_from_decimal("1764350400123456", StampUnit::kMicroseconds)->ns,
+            1764350400123456000);
+  EXPECT_EQ(timestamp_from_decimal("1764350400123456789", StampUnit::kNanoseconds)->ns,
+            1764350400123456789);
+  EXPECT_EQ(timestamp_from_decimal("12", StampUnit::kNanoseconds)->ns, 12);
+  for (const char* text : {"", "-", "x", ".5", "1.2.3", "1e9"}) EXPECT_FALSE(ms(text)) << text;
+}
+
 TEST(Timestamp, RoundsDigitsBeyondTheNinth) {
   EXPECT_EQ(timestamp_from_decimal("0.0000000014")->ns, 1);
   EXPECT_EQ(timestamp_from_decimal("0.0000000015")->ns, 2);

@@ -192,6 +192,9 @@ TEST(CarmenLog, CutAtEveryOffset) {
     const auto log = read_all(text.substr(0, length), everything());
     EXPECT_GE(log.records.size(), num_before) << length;  // nothing that was whole is lost
     EXPECT_LE(log.problems.num_damaged, 1U) << length;    // the last line at most
+    for (const LogProblem& problem : log.problems.first) {
+      EXPECT_THAT(problem.reason, HasSubstr("the file ends in this line")) << length;
+    }
     num_before = log.records.size();
   }
   EXPECT_EQ(num_before, 4U);

@@ -39,6 +39,18 @@ LogOptions with_true_poses() {
   return options;
 }
 
+TEST(CarmenWriter, EachScannerHasItsMessage) {
+  std::mt19937_64 generator = testing::make_generator();
+  std::string log;
+  for (const std::uint32_t scanner : {0U, 1U}) {
+    Scan scan = random_scan(generator, 0);
+    scan.scanner = scanner;
+    append_carmen_scan(log, scan, {});
+  }
+  EXPECT_TRUE(log.starts_with("ROBOTLASER1 "));
+  EXPECT_THAT(log, HasSubstr("\nROBOTLASER2 "));
+}
+
 TEST(CarmenWriter, WhatIsWrittenReadsBack) {
   std::mt19937_64 generator = testing::make_generator();
   std::vector<Scan> scans;

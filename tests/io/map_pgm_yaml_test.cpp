@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <filesystem>
 #include <fstream>
@@ -73,9 +74,16 @@ TEST(PgmImage, ErrorsNameTheOffsetAndTheReason) {
 }
 
 TEST(PgmImage, AWrongHeaderAllocatesNothing) {
-  EXPECT_THAT(error_of_image("P5 1000000 1000000 255 abc"), HasSubstr("400 million"));
-  // 800 MB by the header; the bytes end first.
-  EXPECT_THAT(error_of_image("P5 1000000 400 255 abc"), HasSubstr("ends too early"));
+  EXPECT_THAT(error_of_image("P5 1000000 1000000 255 abc"), HasSubstr("100 million"));
+  // 200 MB by the header; the bytes end first.
+  EXPECT_THAT(error_of_image("P5 1000000 100 255 abc"), HasSubstr("ends too early"));
+}
+
+TEST(PgmImage, AHeaderOfWindowsLines) {
+  const std::string pixels("\x0a\x80\xff", 3);
+  EXPECT_THAT(read("P5\r\n3 1\r\n255\r\n" + pixels).values, ElementsAre(10, 128, 255));
+  // A lone CR is a blank; a pixel of value 10 may follow it.
+  EXPECT_THAT(read("P5\n3 1\n255\r" + pixels).values, ElementsAre(10, 128, 255));
 }
 
 TEST(MapYaml, ReadsWhatMapServerWrites) {
@@ -110,6 +118,21 @@ TEST(MapYaml, ErrorsNameTheLineAndTheReason) {
   EXPECT_THAT(with("origin: [1, 2, 0]\nfree_thresh: low"), HasSubstr("line 4: free_thresh"));
   EXPECT_THAT(error_of_yaml("image: a\nresolution: 0\norigin: [0, 0, 0]"),
               HasSubstr("line 2: resolution"));
+  EXPECT_THAT(error_of_yaml("image: a\nresolution: 1e-300\norigin: [0, 0, 0]"),
+              HasSubstr("line 2: resolution must be from 0.0001"));
+}
+
+TEST(MapPgmYaml, APipeIsNoImage) {
+  const testing::TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe.pgm").c_str(), 0600), 0);
+  static_cast<void>(
+      folder.write("map.yaml", "image: pipe.pgm\nresolution: 0.05\norigin: [0, 0, 0]\n"));
+  try {
+    static_cast<void>(read_map_pgm_yaml((folder.path() / "map.yaml").string()));
+    FAIL() << "a pipe was taken";
+  } catch (const FileError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("pipe.pgm: not a regular file"));
+  }
 }
 
 PgmImage row_of(const std::vector<std::uint16_t>& values) {

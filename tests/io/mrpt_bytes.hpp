@@ -4,19 +4,12 @@
 #pragma once
 
 #include <cstdint>
-#include <cstring>
 #include <string>
 #include <vector>
 
-namespace setsquare::testing {
+#include "tests/io/raw_bytes.hpp"
 
-/// Bytes of a value, little-endian.
-template <typename Value>
-std::string raw(Value value) {
-  std::string bytes(sizeof value, '\0');
-  std::memcpy(bytes.data(), &value, sizeof value);
-  return bytes;
-}
+namespace setsquare::testing {
 
 /// A whole object: header, body, end flag.
 inline std::string mrpt_object(const std::string& class_name,

@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <limits>
 #include <string>
 
 #include "setsquare/core/error.hpp"
@@ -86,6 +88,50 @@ TEST(OpenLog, AMountingThatIsNoneIsRemarked) {
   EXPECT_EQ(log.records.back().scan.T_base_sensor, Pose2{});
 }
 
+TEST(OpenLog, AMountingOnNoRobotIsNone) {
+  for (const double distance_m : {1e6, 1e30}) {
+    std::string text;
+    for (int i = 0; i < 10; ++i) {
+      text += scan_line("FLASER", Pose2{distance_m, 0.0, 0.0}, Pose2{0.1 * i, 0.0, 0.0}, 3);
+    }
+    const auto log = read_all(text);
+    ASSERT_THAT(log.records, SizeIs(10));
+    EXPECT_EQ(log.records.back().scan.T_base_sensor, Pose2{});
+    ASSERT_FALSE(log.problems.remarks.empty());
+    EXPECT_THAT(log.problems.remarks[0], HasSubstr("on no robot"));
+  }
+}
+
+// Converters that know no laser pose write zeros, or the mounting.
+TEST(OpenLog, ALaserPoseThatNeverChangesIsNoPose) {
+  for (const Pose2& written : {Pose2{}, Pose2{0.2, 0.0, 0.0}}) {
+    std::string text;
+    for (int i = 0; i < 300; ++i) {  // the robot sets out behind the log's head
+      const Pose2 T_odom_base{3.0 + 0.01 * std::max(0, i - 100), 1.0, 0.5};
+      text += scan_line("FLASER", written, T_odom_base);
+    }
+    const auto log = read_all(text);
+    ASSERT_THAT(log.problems.remarks, SizeIs(1));
+    EXPECT_THAT(log.problems.remarks[0], HasSubstr("stays the same"));
+    EXPECT_THAT(log.records.back().scan.T_base_sensor, PoseNear(written, testing::PoseTolerance{}));
+  }
+}
+
+TEST(OpenLog, CodesAreLeftOutAndScaleTakesTheReachAlong) {
+  const std::string line =
+      "ROBOTLASER1 0 -1.5 3.0 1.5 8000 0.01 0 3 1000 700 8000 0 0 0 0 0 0 0 0 0 0 0 0 5.0 h 0\n";
+  LogOptions options;
+  options.range_scale = 0.001;
+  options.ignored_ranges_m = {0.7};
+  const auto log = read_all(line, options);
+  ASSERT_THAT(log.records, SizeIs(1));
+  const Scan& scan = log.records[0].scan;
+  EXPECT_EQ(scan.outcome(0), BeamOutcome::kReturn);
+  EXPECT_EQ(scan.outcome(1), BeamOutcome::kInvalid);
+  EXPECT_EQ(scan.outcome(2), BeamOutcome::kNoReturn);
+  EXPECT_NEAR(scan.ranges_m[0], 1.0, 1e-12);
+}
+
 std::string two_lasers() {
   return scan_line("RLASER", Pose2{-0.2, 0.0, 3.141593}, Pose2{}) +
          scan_line("FLASER", Pose2{0.2, 0.0, 0.0}, Pose2{}) +
@@ -114,6 +160,28 @@ TEST(OpenLog, AnotherLaserOrAllByName) {
               HasSubstr("no scan of sensor SIDELASER; it has FLASER RAWLASER1 RLASER"));
 }
 
+TEST(OpenLog, SeveralLasersByNameEachWithANumber) {
+  const std::string text = scan_line("FLASER", {}, {}) + scan_line("RLASER", {}, {}) +
+                           scan_line("ROBOTLASER1", {}, {}) + scan_line("FLASER", {}, {});
+  LogOptions options;
+  options.sensor = "FLASER,RLASER";
+  const auto log = read_all(text, options);
+  ASSERT_THAT(log.records, SizeIs(3));
+  EXPECT_EQ(log.records[0].scan.scanner, log.records[2].scan.scanner);
+  EXPECT_NE(log.records[0].scan.scanner, log.records[1].scan.scanner);
+}
+
+TEST(OpenLog, AMountingThatIsGivenReplacesThatOfTheLog) {
+  const Pose2 given{-0.2, 0.1, 3.0};
+  LogOptions options;
+  options.mountings["FLASER"] = given;
+  const auto log = read_all(drive("FLASER", {0.3, 0.0, 0.0}), options);
+  ASSERT_THAT(log.records, SizeIs(100));
+  for (const LogRecord& record : log.records) EXPECT_EQ(record.scan.T_base_sensor, given);
+  options.mountings["FLASER"].x_m = std::numeric_limits<double>::infinity();
+  EXPECT_THAT(read_all(drive("FLASER", {}), options).error, HasSubstr("mountings"));
+}
+
 TEST(OpenLog, ALogWithoutScansIsAnError) {
   EXPECT_EQ(read_all("PARAM x 1 1 h 0\n").error, "test.log: no scan in this log");
   EXPECT_EQ(read_all("FLASER 1\n").error,
@@ -123,12 +191,35 @@ TEST(OpenLog, ALogWithoutScansIsAnError) {
 
 TEST(OpenLog, SaysWhatAFileIsThatIsNoLog) {
   EXPECT_EQ(read_all("").error, "test.log: the file is empty");
-  EXPECT_EQ(read_all("#ROSBAG V2.0\n").error,
-            "test.log: a ROS 1 bag, which cannot be read as a log");
+  EXPECT_THAT(read_all("#ROSBAG V2.0\n").error, HasSubstr("no scan in this log"));
+  EXPECT_EQ(read_all("PK\x03\x04").error, "test.log: a zip archive, which cannot be read as a log");
   for (const std::string& text :
-       {std::string("hello\n"), std::string(1000, '\0'), std::string("\xff\xfe\x80")}) {
-    EXPECT_EQ(read_all(text).error, "test.log: neither a CARMEN log nor an MRPT rawlog");
+       {std::string("hello\n"), std::string(1000, '\0'), std::string("\xff\x80\xfe")}) {
+    EXPECT_EQ(read_all(text).error,
+              "test.log: neither a ROS bag, a CARMEN log, JSON lines, a CSV table of scans nor an "
+              "MRPT rawlog");
   }
+}
+
+TEST(OpenLog, AByteOrderMarkCostsNoScan) {
+  const auto log = read_all("\xef\xbb\xbf" + two_lasers());
+  EXPECT_EQ(log.records.size(), read_all(two_lasers()).records.size());
+  EXPECT_TRUE(log.problems.empty());
+  EXPECT_EQ(read_all("\xef\xbb\xbf").error, "test.log: the file is empty");
+}
+
+TEST(OpenLog, SaysWhatToDoWithUtf16AndAnUnfetchedFile) {
+  using namespace std::string_literals;
+  for (const std::string& text : {"\xff\xfe"
+                                  "F\0L\0"s,
+                                  "\xfe\xff\0F\0L"s,
+                                  "F\0L\0A\0S\0"s,
+                                  "\0F\0L\0A\0S"s}) {
+    EXPECT_EQ(read_all(text).error, "test.log: text in UTF-16: save it as UTF-8");
+  }
+  EXPECT_EQ(
+      read_all("version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n").error,
+      "test.log: a Git LFS pointer in place of the file: fetch it by git lfs pull");
 }
 
 TEST(OpenLog, OptionsOutOfTheirDomainAreNamed) {

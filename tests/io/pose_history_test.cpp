@@ -14,7 +14,9 @@ namespace setsquare::pose_history_test {
 namespace {
 
 using ::testing::Eq;
+using testing::make_generator;
 using ::testing::Optional;
+using testing::uniform;
 
 Timestamp at_s(double seconds) { return timestamp_from_seconds(seconds); }
 
@@ -65,7 +67,8 @@ TEST(PoseHistory, TakesTheNearestBeyondItsEndsForAWhile) {
 TEST(PoseHistory, BeginsAgainWhereTheClockJumpsBack) {
   PoseHistory history;
   history.add(at_s(100.0), {1.0, 0.0, 0.0});
-  history.add(at_s(99.9), {2.0, 0.0, 0.0});  // a little older: left out
+  history.add(at_s(99.9), {2.0, 0.0, 0.0});  // a little older
+  EXPECT_THAT(history.at(at_s(99.9)), Optional(Eq(Pose2{2.0, 0.0, 0.0})));
   EXPECT_THAT(history.at(at_s(100.0)), Optional(Eq(Pose2{1.0, 0.0, 0.0})));
   history.add(at_s(3.0), {3.0, 0.0, 0.0});
   EXPECT_FALSE(history.at(at_s(100.0)).has_value());

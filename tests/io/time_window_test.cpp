@@ -19,9 +19,9 @@
 namespace setsquare::time_window_test {
 namespace {
 
+using ::testing::DoubleNear;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
 /// One scan per stamp.
@@ -48,12 +48,14 @@ std::vector<double> within_window(const LogWindow& window, const std::vector<dou
 
 TEST(TimeWindow, CountsFromTheFirstScan) {
   const LogWindow window{.from_s = 1.0, .to_s = 2.0, .max_rate_hz = {}};
-  EXPECT_THAT(within_window(window, {100.0, 100.5, 101.0, 102.0, 102.5}), ElementsAre(101.0, 102.0));
+  EXPECT_THAT(within_window(window, {100.0, 100.5, 101.0, 102.0, 102.5}),
+              ElementsAre(101.0, 102.0));
 }
 
 TEST(TimeWindow, TakesStampsFrom1e8On) {
   const LogWindow window{.from_s = 1e9 + 1.0, .to_s = {}, .max_rate_hz = {}};
-  EXPECT_THAT(within_window(window, {1e9, 1e9 + 1.0, 1e9 + 2.0}), ElementsAre(1e9 + 1.0, 1e9 + 2.0));
+  EXPECT_THAT(within_window(window, {1e9, 1e9 + 1.0, 1e9 + 2.0}),
+              ElementsAre(DoubleNear(1e9 + 1.0, 1e-6), DoubleNear(1e9 + 2.0, 1e-6)));
 }
 
 TEST(TimeWindow, ThinsToARate) {
@@ -69,7 +71,7 @@ TEST(TimeWindow, AnEmptyWindowIsAnError) {
 }
 
 TEST(LogChain, ReadsLogsOneAfterTheOther) {
-  const TemporaryFolder folder;
+  const testing::TemporaryFolder folder;
   const std::string first = folder.path() / "first.clf";
   const std::string second = folder.path() / "second.clf";
   std::ofstream(first) << carmen_log({1.0, 2.0});
@@ -81,7 +83,7 @@ TEST(LogChain, ReadsLogsOneAfterTheOther) {
 }
 
 TEST(LogChain, GoesOnBehindALogThatCannotBeRead) {
-  const TemporaryFolder folder;
+  const testing::TemporaryFolder folder;
   const std::string first = folder.path() / "first.clf";
   const std::string broken = folder.path() / "broken.clf";
   const std::string last = folder.path() / "last.clf";

@@ -48,6 +48,17 @@ TEST(TrajectoryTum, RoundTrip) {
   }
 }
 
+// Headings of 0, 60 and 120 deg, quaternions written w first.
+TEST(TrajectoryTum, QuaternionsThatAreWrittenWFirstLieOnTheirSide) {
+  const std::string text = "1 0 0 0 1 0 0 0\n2 0 0 0 0.866025 0 0 0.5\n3 0 0 0 0.5 0 0 0.866025\n";
+  const TumReading as_tum = read_tum(make_memory_source(text), "x");
+  EXPECT_EQ(as_tum.num_tilted, 3U) << "by 180, 120 and 60 deg";
+  const TumReading w_first = read_tum(make_memory_source(text), "x", QuaternionOrder::kWFirst);
+  EXPECT_EQ(w_first.num_tilted, 0U);
+  EXPECT_NEAR(w_first.trajectory[1].pose.theta_rad, rad_from_deg(60.0), 1e-5);
+  EXPECT_NEAR(w_first.trajectory[2].pose.theta_rad, rad_from_deg(120.0), 1e-5);
+}
+
 TEST(TrajectoryTum, TheLargestNumbersFit) {
   const std::string text = tum_from_trajectory({{Timestamp{}, {-1.7e308, -1.7e308, 0.0}}});
   EXPECT_THAT(read_trajectory_tum(make_memory_source(text), "x"), SizeIs(1));

@@ -40,8 +40,25 @@ void LogOptions::validate() const {
       (slice.low_m && !(*slice.low_m < *slice.high_m))) {
     throw ParameterError("slice", "must have two heights, the lower one first");
   }
+  for (const auto& [name, T_base_sensor] : mountings) {
+    const double sum = T_base_sensor.x_m + T_base_sensor.y_m + T_base_sensor.theta_rad;
+    if (!std::isfinite(sum)) throw ParameterError("mountings", name + " must be finite");
+  }
   if (max_range_m && !(*max_range_m > 0.0)) {
     throw ParameterError("max_range_m", "must be above 0");
+  }
+  const auto is_positive = [](double number) { return number > 0.0 && std::isfinite(number); };
+  if (angle_distance && !is_positive(angle_distance->range_unit_m)) {
+    throw ParameterError("range_unit_m", "must be above 0");
+  }
+  if (angle_distance && !(angle_distance->rate_hz >= 1e-3 && angle_distance->rate_hz <= 1e6)) {
+    throw ParameterError("rate_hz", "must be from 0.001 to a million");
+  }
+  if (!(range_scale > 0.0 && std::isfinite(range_scale))) {
+    throw ParameterError("range_scale", "must be above 0 and finite");
+  }
+  for (const double range_m : ignored_ranges_m) {
+    if (!(range_m > 0.0)) throw ParameterError("ignored_ranges_m", "must be above 0");
   }
 }
 

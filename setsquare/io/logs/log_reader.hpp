@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ enum class RecordKind {
   kScan,      ///< One sweep of one laser.
   kOdometry,  ///< A robot pose by odometry alone, without a scan.
   kTruePose,  ///< The robot's true pose, as a simulator writes it, or a reference by other means.
-  kTurnRate,  ///< The yaw rate of the robot that an inertial unit measured (turn_rad_per_s).
+  kTurnRate,  ///< A gyro's sample: how fast the robot turns, counterclockwise seen from above.
 };
 
 /// One record of a log, whatever the log's format. Fields that a kind does not use are empty.
@@ -50,11 +51,13 @@ struct LogRecord {
   RecordKind kind = RecordKind::kScan;
   std::string sensor;  ///< Name in the log: "FLASER", "ROBOTLASER1", a sensor label, "ODOM".
   Timestamp stamp;     ///< Sensor time; equals scan.stamp for a scan.
-  Scan scan;           ///< kScan: ranges in m, mounting included.
+  Scan scan;  ///< kScan: ranges in m, mounting included; Scan::scanner is another for each sensor.
+  /// kScan: the log states no angles of the beams; those of LogOptions stand in.
+  bool has_assumed_bearings = false;
   std::optional<Pose2> T_odom_base;       ///< The robot's odometry pose, where the record has one.
   std::optional<Pose2> T_map_base;        ///< kTruePose: the robot's true pose.
   std::optional<double> forward_m_per_s;  ///< kOdometry: speed that the wheels report.
-  std::optional<double> turn_rad_per_s;   ///< kOdometry: rate of turn that the wheels report.
+  std::optional<double> turn_rad_per_s;   ///< kOdometry, kTurnRate: by the wheels, by the gyro.
   std::uint64_t position = 0;  ///< Line number from 1 in a text log, byte offset in a binary one.
 };
 
@@ -83,10 +86,10 @@ struct RecordingFrame {
 struct RecordingOverview {
   std::vector<RecordingTopic> topics;
   std::vector<RecordingFrame> frames;
-  Timestamp first;                 ///< When its first message was recorded.
-  Timestamp last;                  ///< When its last one was.
-  std::string odometry;            ///< The topic whose odometry is used; empty where there is none.
-  std::string base_frame;          ///< The robot's frame.
+  Timestamp first;         ///< When its first message was recorded.
+  Timestamp last;          ///< When its last one was.
+  std::string odometry;    ///< The topic whose odometry is used; empty where there is none.
+  std::string base_frame;  ///< The robot's frame.
 
   [[nodiscard]] bool empty() const { return topics.empty(); }
 };
@@ -103,20 +106,36 @@ struct LogWindow {
 /// Which points of a 3-D scanner's clouds make a scan. By default all of a flat cloud, else those
 /// within 0.3 m of the sensor's height.
 struct CloudSlice {
-  std::optional<int> ring;       ///< Those of one beam of the scanner.
-  std::optional<double> low_m;   ///< Those between two heights above the robot's frame, both given.
+  std::optional<int> ring;      ///< Those of one beam of the scanner.
+  std::optional<double> low_m;  ///< Those between two heights above the robot's frame, both given.
   std::optional<double> high_m;
+};
+
+/// What rows of angles and distances mean, as hobby scanners print them: such a text states
+/// nothing.
+struct AngleDistanceOptions {
+  enum class Layout {
+    kPairs,        ///< A line is one beam: angle, distance and perhaps a quality.
+    kRevolutions,  ///< A line is one revolution: angle, distance, angle, distance ...
+  };
+  Layout layout = Layout::kPairs;
+  bool is_in_degrees = true;    ///< Angles; else rad.
+  bool is_clockwise = false;    ///< Angles count clockwise, seen from above.
+  double range_unit_m = 0.001;  ///< Of the distances.
+  double rate_hz = 10.0;        ///< Revolutions per second: revolution k has the stamp k / rate.
 };
 
 /// What to read of a log, and what the log itself does not state.
 struct LogOptions {
-  /// Which laser's scans: its name in the log, "all", or empty for the front one (the laser whose
+  /// Which laser's scans: its name in the log, several with commas between, "all", or empty for the
+  /// front one (the laser whose
   /// mounting looks most nearly forward; of equal ones the first by name).
   std::string sensor;
   /// Which odometry of a recording that has several: its topic, "/tf" for the frames odom and base,
   /// or empty for the likeliest.
   std::string odometry_topic;
-  bool scans_only = true;  ///< Leave out the records of kinds other than kScan.
+  bool scans_only = true;   ///< Leave out the records of kinds other than kScan ...
+  bool turn_rates = false;  ///< ... but for kTurnRate.
   /// Angles of a message that carries none (FLASER, RLASER): the sweep is symmetric about straight
   /// ahead. By default 180 degrees, whose step is field of view / n for an even number of beams n
   /// (180, 360) and field of view / (n - 1) for an odd one (181, 361). Where only the step is
@@ -130,6 +149,21 @@ struct LogOptions {
   CloudSlice slice;
   /// Of a scanner that measures several echoes per beam: the strongest instead of the first.
   bool takes_strongest_echo = false;
+  /// Read rows of angles and distances. Ignored where the log's format says what it is.
+  std::optional<AngleDistanceOptions> angle_distance;
+  /// Metres that the log's unit of ranges stands for: 0.001 where they are in millimetres. A reach
+  /// that the log states is taken in the same unit, unless it would be below a metre then.
+  double range_scale = 1.0;
+  /// Ranges that are no measurement, in m as scaled, to half a millimetre: codes below max_range_m.
+  std::vector<double> ignored_ranges_m;
+  /// Left and right exchanged: a scanner mounted upside down, or one whose beams are counted
+  /// clockwise.
+  bool mirrors_scans = false;
+  /// Of stamps in a log that is text.
+  StampUnit stamp_unit = StampUnit::kSeconds;
+
+  /// Where scanners are mounted on the robot, by name, whatever the log says.
+  std::map<std::string, Pose2> mountings;
 
   /// Throws ParameterError naming the field that is out of its domain.
   void validate() const;
@@ -154,7 +188,7 @@ class LogReader {
   /// The laser that LogOptions::sensor means when it is empty; empty before the first next().
   [[nodiscard]] virtual std::string front_sensor() const = 0;
 
-  /// "CARMEN log" or "MRPT rawlog".
+  /// What kind of log it is: "CARMEN log", "JSON lines".
   [[nodiscard]] virtual std::string format() const = 0;
 
   /// How much of the file has been read, 0 to 1; nothing where the size is unknown (a pipe).

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/log_survey.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/scan/housing.hpp"
+#include "setsquare/scan/isolated_returns.hpp"
 
 namespace setsquare {
 namespace {
@@ -20,6 +23,9 @@ bool is_jump(const Pose2& T_before_after, double seconds) {
   return (distance_m > kLongStep_m && distance_m > kFastest_m_per_s * seconds) ||
          (turn_rad > largest_turn_rad && turn_rad > fastest_rad_per_s * seconds);
 }
+
+/// Shorter steps are none.
+constexpr double kLeastStep_m = 0.001;
 
 /// The wheels said one direction at both ends of a step that went in the other.
 bool is_sign_contradiction(double forward_m, double speed_before_m_per_s, double speed_m_per_s) {
@@ -42,11 +48,60 @@ void StampSurvey::add(Timestamp stamp) {
     num_repeated += step_s == 0.0 ? 1 : 0;
     largest_backward_s = std::max(largest_backward_s, -step_s);
     longest_gap_s = std::max(longest_gap_s, step_s);
+    const std::int64_t step_ns = stamp.ns - previous.ns;
+    if (step_ns > 0) ++num_per_octave[std::bit_width(static_cast<std::uint64_t>(step_ns)) - 1];
     earliest = std::min(earliest, stamp);
     latest = std::max(latest, stamp);
   }
   previous = stamp;
   ++num_stamps;
+}
+
+double StampSurvey::octave_of_period_s() const {
+  std::uint64_t num_below = 0;
+  for (std::size_t octave = 0; octave < num_per_octave.size(); ++octave) {
+    num_below += num_per_octave[octave];
+    if (2 * num_below >= num_stamps) return 1e-9 * std::ldexp(1.0, static_cast<int>(octave));
+  }
+  return 0.0;
+}
+
+void SensorSurvey::count_code(double range_m, std::uint64_t count) {
+  const auto found = codes.find(range_m);
+  if (found != codes.end()) {
+    found->second += count;
+  } else if (count > 0 && codes.size() < kMaxCodes) {
+    codes.emplace(range_m, count);
+  }
+}
+
+void SensorSurvey::add_ranges(const Scan& scan) {
+  double code_m = 0.0;
+  std::uint64_t num_of_code = 0;  // of the same, beam after beam
+  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
+    const double range_m = scan.ranges_m[beam];
+    far.add(range_m);
+    switch (scan.outcome(beam)) {
+      case BeamOutcome::kReturn:
+        ++num_returns;
+        return_range_m.include(range_m);
+        break;
+      case BeamOutcome::kNoReturn:
+        ++num_no_returns;
+        if (range_m != code_m) {
+          count_code(code_m, num_of_code);
+          code_m = range_m;
+          num_of_code = 0;
+        }
+        ++num_of_code;
+        break;
+      case BeamOutcome::kInvalid:
+        ++num_invalid;
+        num_in_housing += range_m > 0.0 && range_m < kHousingRadius_m ? 1 : 0;
+        break;
+    }
+  }
+  count_code(code_m, num_of_code);
 }
 
 void SensorSurvey::add(const Scan& scan) {
@@ -57,22 +112,9 @@ void SensorSurvey::add(const Scan& scan) {
   field_of_view_rad.include(scan.field_of_view_rad());
   max_range_m = scan.max_range_m;
   T_base_sensor = scan.T_base_sensor;
-  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
-    const double range_m = scan.ranges_m[beam];
-    switch (scan.outcome(beam)) {
-      case BeamOutcome::kReturn:
-        ++num_returns;
-        return_range_m.include(range_m);
-        break;
-      case BeamOutcome::kNoReturn:
-        ++num_no_returns;
-        if (codes.size() < kMaxCodes || codes.contains(range_m)) ++codes[range_m];
-        break;
-      case BeamOutcome::kInvalid:
-        ++num_invalid;
-        break;
-    }
-  }
+  add_ranges(scan);
+  repeated.add(scan);
+  num_isolated += num_isolated_returns(scan);
   num_unchanged += scan.ranges_m == previous_ranges_m_ ? 1 : 0;
   previous_ranges_m_ = scan.ranges_m;
 }
@@ -83,7 +125,9 @@ void OdometrySurvey::add(const LogRecord& record) {
   if (previous_) {
     const Pose2 T_before_after = previous_->T_odom_base.inverse() * *record.T_odom_base;
     const double seconds = std::abs(seconds_between(previous_->stamp, record.stamp));
-    path_m += std::hypot(T_before_after.x_m, T_before_after.y_m);
+    const double step_m = std::hypot(T_before_after.x_m, T_before_after.y_m);
+    path_m += step_m;
+    moving_s += step_m >= kLeastStep_m ? seconds : 0.0;
     turn_rad += std::abs(T_before_after.theta_rad);
     num_still += previous_->T_odom_base == *record.T_odom_base ? 1 : 0;
     if (is_jump(T_before_after, seconds) && num_jumps++ == 0) first_jump_position = record.position;
@@ -100,12 +144,18 @@ void OdometrySurvey::add(const LogRecord& record) {
 
 void LogSurvey::add(const LogRecord& record) {
   switch (record.kind) {
-    case RecordKind::kScan:
-      sensors[record.sensor].add(record.scan);
+    case RecordKind::kScan: {
+      SensorSurvey& sensor = sensors[record.sensor];
+      sensor.add(record.scan);
+      sensor.has_assumed_bearings = record.has_assumed_bearings;
+      if (record.T_odom_base) sensor.motion.add(record.scan, *record.T_odom_base);
       scan_odometry[record.sensor].add(record);
       break;
+    }
     case RecordKind::kOdometry:
       wheel_odometry.add(record);
+      break;
+    case RecordKind::kTurnRate:
       break;
     case RecordKind::kTruePose:
       ++num_true_poses;

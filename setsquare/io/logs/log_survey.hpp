@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -13,6 +14,9 @@
 #include <vector>
 
 #include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/io/logs/survey/far_ranges.hpp"
+#include "setsquare/io/logs/survey/motion_survey.hpp"
+#include "setsquare/io/logs/survey/repeated_ranges.hpp"
 
 namespace setsquare {
 
@@ -39,8 +43,12 @@ struct StampSurvey {
   double largest_backward_s = 0.0;
   std::uint64_t num_repeated = 0;  ///< Stamps equal to their predecessor's.
   double longest_gap_s = 0.0;      ///< Longest time from one to the next.
+  /// Times from one to the next by their length: the power of two below it, in ns.
+  std::array<std::uint64_t, 64> num_per_octave{};
 
   void add(Timestamp stamp);
+  /// The power of two (of ns) below the median time from one to the next; 0 for fewer than two.
+  [[nodiscard]] double octave_of_period_s() const;
   [[nodiscard]] double duration_s() const { return seconds_between(earliest, latest); }
 };
 
@@ -61,10 +69,22 @@ struct SensorSurvey {
   std::uint64_t num_invalid = 0;
   std::uint64_t num_unchanged = 0;  ///< Scans whose ranges equal their predecessor's, all of them.
   std::map<double, std::uint64_t> codes;  ///< No-return ranges and how often, the first kMaxCodes.
+  std::uint64_t num_in_housing = 0;       ///< Ranges above 0 and below kHousingRadius_m.
+  std::uint64_t num_isolated = 0;         ///< Returns that stand alone (is_isolated_return).
+  FarRanges far;
+  RepeatedRanges repeated;
+  MotionSurvey motion;                ///< Of the scans that came with odometry.
+  bool has_assumed_bearings = false;  ///< The log states no angles of the beams.
 
   void add(const Scan& scan);
+  [[nodiscard]] std::uint64_t num_ranges() const {
+    return num_returns + num_no_returns + num_invalid;
+  }
 
  private:
+  void add_ranges(const Scan& scan);
+  void count_code(double range_m, std::uint64_t count);
+
   std::vector<double> previous_ranges_m_;
 };
 
@@ -73,6 +93,7 @@ struct OdometrySurvey {
   std::uint64_t num_poses = 0;
   double path_m = 0.0;
   double turn_rad = 0.0;        ///< Sum of the turns' magnitudes.
+  double moving_s = 0.0;        ///< Time of the steps of a millimetre or more.
   std::uint64_t num_still = 0;  ///< Poses exactly equal to their predecessor's.
   /// Steps of more than 0.5 m or 30 degrees, faster than 5 m/s or 600 degrees per second.
   std::uint64_t num_jumps = 0;

@@ -8,10 +8,11 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bags/open_recording.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
+#include "setsquare/io/bytes/text_beginning.hpp"
 #include "setsquare/io/logs/bag/bag_log.hpp"
-#include "setsquare/io/logs/carmen/log.hpp"
 #include "setsquare/io/logs/mrpt/rawlog.hpp"
 #include "setsquare/io/logs/selecting_log_reader.hpp"
+#include "setsquare/io/logs/text_stream.hpp"
 #include "setsquare/io/logs/time_window.hpp"
 
 namespace setsquare {
@@ -33,6 +34,7 @@ constexpr OtherFormat kOtherFormats[] = {{"PK\x03\x04", "a zip archive"},
 std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
                                           const std::string& name,
                                           const LogOptions& options) {
+  begin_text(*input, name);
   input->ensure(kBeginningBytes);
   const std::string_view beginning = input->available();
   const std::string damage = input->source().damage();
@@ -47,18 +49,18 @@ std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
     return std::make_unique<BagLog>(std::move(recording), options);
   }
   if (is_mrpt_rawlog(beginning)) return std::make_unique<MrptRawlog>(std::move(input), options);
-  if (is_carmen_log(beginning)) return std::make_unique<CarmenLog>(std::move(input), options);
-  throw FormatError(name,
-                    "",
-                    "neither a ROS bag, a CARMEN log, JSON lines, a CSV table of scans nor an MRPT rawlog");
+  if (auto stream = open_text_stream(input, name, options)) return stream;
+  throw FormatError(
+      name,
+      "",
+      "neither a ROS bag, a CARMEN log, JSON lines, a CSV table of scans nor an MRPT rawlog");
 }
 
 std::unique_ptr<LogReader> reader_of(std::unique_ptr<RecordStream> stream,
                                      const std::string& name,
                                      const LogOptions& options) {
-  return within(options.window,
-                std::make_unique<SelectingLogReader>(std::move(stream), name, options),
-                name);
+  return within(
+      options.window, std::make_unique<SelectingLogReader>(std::move(stream), name, options), name);
 }
 
 }  // namespace

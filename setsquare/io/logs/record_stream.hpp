@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "setsquare/io/logs/log_reader.hpp"
 
@@ -51,5 +52,20 @@ inline constexpr std::uint32_t kMaxBeams = 65536;
 
 /// Stamps beyond this (the year 2112) are damaged; below, differences of two cannot overflow.
 inline constexpr std::int64_t kMaxStamp_ns = 4'500'000'000'000'000'000;
+
+/// The range from which beams are no-returns where neither log nor options say: the lowest code of
+/// SICK scanners for "nothing seen" (81.83 and 81.91 elsewhere).
+inline constexpr double kUnstatedMaxRange_m = 50.0;
+
+/// Whether a stamp is within kMaxStamp_ns.
+[[nodiscard]] inline bool is_possible(Timestamp stamp) {
+  return stamp.ns <= kMaxStamp_ns && stamp.ns >= -kMaxStamp_ns;
+}
+
+/// Whether Scan::validate() accepts the scan.
+[[nodiscard]] bool has_valid_geometry(const Scan& scan);
+
+/// Makes a record that was used before into an empty one of a sensor; its ranges keep their memory.
+void start_record(LogRecord& record, std::string_view sensor);
 
 }  // namespace setsquare

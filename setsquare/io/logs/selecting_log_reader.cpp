@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -66,12 +67,64 @@ bool is_mounting_varying(const Pose2& settled, const Pose2& measured, double rou
          std::abs(wrap_to_pi(measured.theta_rad - settled.theta_rad)) > kMaxTurn_rad + slack;
 }
 
+/// Sensors are on the robot. The largest robots that carry scanners are lorries and cranes.
+constexpr double kLargestRobot_m = 20.0;
+
+bool is_on_robot(const Pose2& T_base_sensor) {
+  return std::hypot(T_base_sensor.x_m, T_base_sensor.y_m) < kLargestRobot_m;  // false for NaN
+}
+
+/// The larger of the way and the turn from a pose to another, in m and rad.
+double motion_between(const Pose2& a, const Pose2& b) {
+  return std::max(std::hypot(a.x_m - b.x_m, a.y_m - b.y_m),
+                  std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)));
+}
+
+/// What a laser pose that never changes says of the mounting: the difference of the first poses
+/// where both began at the same place, else itself where a converter wrote the mounting.
+Pose2 mounting_of_constant_pose(const Pose2& T_odom_base, const Pose2& T_odom_sensor) {
+  constexpr double kUsualReach_m = 1.0;
+  const auto is_near = [](const Pose2& pose) {
+    return std::hypot(pose.x_m, pose.y_m) < kUsualReach_m;
+  };
+  const Pose2 T_base_sensor = T_odom_base.inverse() * T_odom_sensor;
+  if (is_near(T_base_sensor)) return T_base_sensor;
+  return is_near(T_odom_sensor) ? T_odom_sensor : Pose2{};
+}
+
+/// The ranges as the options say that they are meant.
+void apply_options(const LogOptions& options, Scan& scan) {
+  constexpr double kHalfUnit_m = 0.0005;
+  constexpr double kShortestReach_m = 1.0;
+  if (options.range_scale != 1.0) {
+    for (double& range : scan.ranges_m) range *= options.range_scale;
+    if (scan.max_range_m * options.range_scale >= kShortestReach_m) {
+      scan.max_range_m *= options.range_scale;
+      scan.min_range_m *= options.range_scale;
+    }
+  }
+  for (const double ignored_m : options.ignored_ranges_m) {
+    for (double& range_m : scan.ranges_m) {
+      if (std::abs(range_m - ignored_m) <= kHalfUnit_m) range_m = 0.0;
+    }
+  }
+  if (options.mirrors_scans) {
+    scan.first_bearing_rad = -scan.first_bearing_rad;
+    scan.bearing_step_rad = -scan.bearing_step_rad;
+  }
+  if (options.max_range_m) scan.max_range_m = *options.max_range_m;
+}
+
 }  // namespace
 
 SelectingLogReader::SelectingLogReader(std::unique_ptr<RecordStream> stream,
                                        std::string name,
                                        const LogOptions& options)
-    : stream_(std::move(stream)), name_(std::move(name)), options_(options) {}
+    : stream_(std::move(stream)), name_(std::move(name)), options_(options) {
+  if (options_.sensor.empty() || options_.sensor == "all") return;
+  std::istringstream names(options_.sensor);
+  for (std::string sensor; std::getline(names, sensor, ',');) wanted_.insert(sensor);
+}
 
 void SelectingLogReader::read_head() {
   is_head_read_ = true;
@@ -92,6 +145,9 @@ void SelectingLogReader::read_head() {
     if (is_before_first_motion) early.T_odom_base = Pose2{};
   }
   settle_mountings(measured, rounding);
+  for (const LogRecord& early : head_) {
+    if (early.kind == RecordKind::kScan) watch_laser_pose(mountings_.at(early.sensor), early);
+  }
   for (const auto& [sensor, mounting] : mountings_) {
     const bool is_first = front_sensor_.empty();
     if (is_first || front_rank(sensor, mounting.T_base_sensor) <
@@ -106,15 +162,60 @@ void SelectingLogReader::settle_mountings(const std::map<std::string, std::vecto
   for (const auto& [sensor, poses] : measured) {
     Mounting mounting;
     mounting.rounding = rounding.at(sensor);
-    mounting.T_base_sensor = settle_mounting(poses, mounting.rounding);
+    const auto given = options_.mountings.find(sensor);
+    mounting.T_base_sensor = given != options_.mountings.end()
+                                 ? given->second
+                                 : settle_mounting(poses, mounting.rounding);
+    if (given == options_.mountings.end()) check_distance(sensor, mounting);
     mountings_.emplace(sensor, mounting);
   }
 }
 
+bool SelectingLogReader::is_laser_standing(const Mounting& mounting, const LogRecord& record) {
+  constexpr double kStanding = 0.001;  // m or rad
+  if (!mounting.T_odom_base || !record.T_odom_base) return false;
+  const Pose2 T_odom_sensor = *record.T_odom_base * record.scan.T_base_sensor;
+  return motion_between(mounting.T_odom_sensor, T_odom_sensor) <= kStanding;
+}
+
+void SelectingLogReader::watch_laser_pose(Mounting& mounting, const LogRecord& record) {
+  constexpr double kMoved = 0.2;  // m or rad
+  if (!record.T_odom_base || mounting.rounding == 0.0 || mounting.is_judged) return;
+  const Pose2 T_odom_sensor = *record.T_odom_base * record.scan.T_base_sensor;
+  if (!mounting.T_odom_base) {
+    mounting.T_odom_base = record.T_odom_base;
+    mounting.T_odom_sensor = T_odom_sensor;
+  }
+  if (motion_between(*mounting.T_odom_base, *record.T_odom_base) < kMoved) return;
+  mounting.is_judged = true;
+  if (!is_laser_standing(mounting, record)) return;
+  mounting.is_of_constant_pose = true;
+  mounting.T_base_sensor = mounting_of_constant_pose(*mounting.T_odom_base, T_odom_sensor);
+  stream_->problems().remarks.push_back(fmt::format(
+      "{}: the laser's pose stays the same while the robot's changes (record {}); taken "
+      "as mounted at x {:.3f} m, y {:.3f} m",
+      record.sensor,
+      record.position,
+      mounting.T_base_sensor.x_m,
+      mounting.T_base_sensor.y_m));
+}
+
+void SelectingLogReader::check_distance(const std::string& sensor, Mounting& mounting) {
+  if (is_on_robot(mounting.T_base_sensor)) return;
+  stream_->problems().remarks.push_back(fmt::format(
+      "{}: the laser's pose is {:.3g} m from the robot's, on no robot; taken as mounted "
+      "at the robot's centre",
+      sensor,
+      std::hypot(mounting.T_base_sensor.x_m, mounting.T_base_sensor.y_m)));
+  mounting.T_base_sensor = {};
+  mounting.is_varying = true;  // remarked
+}
+
 bool SelectingLogReader::is_wanted(const LogRecord& record) const {
+  if (record.kind == RecordKind::kTurnRate && options_.turn_rates) return true;
   if (record.kind != RecordKind::kScan) return !options_.scans_only;
   if (options_.sensor == "all") return true;
-  return record.sensor == (options_.sensor.empty() ? front_sensor_ : options_.sensor);
+  return wanted_.empty() ? record.sensor == front_sensor_ : wanted_.contains(record.sensor);
 }
 
 void SelectingLogReader::remark_varying(Mounting& mounting, const LogRecord& record) {
@@ -128,20 +229,37 @@ void SelectingLogReader::remark_varying(Mounting& mounting, const LogRecord& rec
 
 void SelectingLogReader::apply_mounting(LogRecord& record) {
   Pose2& T_base_sensor = record.scan.T_base_sensor;
+  const auto given = options_.mountings.find(record.sensor);
+  if (given != options_.mountings.end()) {
+    T_base_sensor = given->second;
+    return;
+  }
   const auto found = mountings_.find(record.sensor);
   if (found == mountings_.end()) {
     const double rounding = stream_->mounting_rounding();
     T_base_sensor = settle_mounting({T_base_sensor}, rounding);
-    mountings_.emplace(record.sensor, Mounting{T_base_sensor, rounding, false});
+    Mounting mounting{T_base_sensor, rounding, false};
+    check_distance(record.sensor, mounting);
+    T_base_sensor = mounting.T_base_sensor;
+    mountings_.emplace(record.sensor, mounting);
     return;
   }
   Mounting& mounting = found->second;
-  if (mounting.rounding == 0.0) return;
-  if (!mounting.is_varying &&
+  if (mounting.rounding == 0.0) {
+    if (!is_on_robot(T_base_sensor)) T_base_sensor = mounting.T_base_sensor;
+    return;
+  }
+  watch_laser_pose(mounting, record);
+  if (!mounting.is_varying && !is_laser_standing(mounting, record) &&
       is_mounting_varying(mounting.T_base_sensor, T_base_sensor, mounting.rounding)) {
     remark_varying(mounting, record);
   }
   T_base_sensor = mounting.T_base_sensor;
+}
+
+void SelectingLogReader::number_scanner(LogRecord& record) {
+  const auto next = static_cast<std::uint32_t>(numbers_.size());
+  record.scan.scanner = numbers_.try_emplace(record.sensor, next).first->second;
 }
 
 const LogRecord* SelectingLogReader::finish() {
@@ -159,6 +277,9 @@ const LogRecord* SelectingLogReader::finish() {
     for (const auto& entry : mountings_) {
       reason += " " + (entry.first.empty() ? std::string("(unnamed)") : entry.first);
     }
+  }
+  if (!stream_->overview().empty() && !is_one_wanted) {
+    reason = "no topic with scans in this recording; setsquare info lists its topics";
   }
   const std::string damage = summary(stream_->problems());
   throw FormatError(name_, "", damage.empty() ? reason : reason + " (" + damage + ")");
@@ -179,7 +300,8 @@ const LogRecord* SelectingLogReader::next() {
     if (!is_wanted(current_)) continue;
     if (is_scan) {
       ++num_scans_handed_on_;
-      if (options_.max_range_m) current_.scan.max_range_m = *options_.max_range_m;
+      number_scanner(current_);
+      apply_options(options_, current_.scan);
     }
     return &current_;
   }

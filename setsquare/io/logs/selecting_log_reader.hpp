@@ -5,6 +5,7 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ class SelectingLogReader final : public LogReader {
     Pose2 T_base_sensor;
     double rounding = 0.0;
     bool is_varying = false;
+    std::optional<Pose2> T_odom_base = {};  ///< Of the first scan that came with odometry.
+    Pose2 T_odom_sensor = {};               ///< Of the same scan.
+    bool is_judged = false;                 ///< The robot has moved since, and the laser with it.
+    bool is_of_constant_pose = false;       ///< The robot has, and the laser's pose is the same.
   };
 
   void read_head();
@@ -40,11 +45,20 @@ class SelectingLogReader final : public LogReader {
                         const std::map<std::string, double>& rounding);
   [[nodiscard]] bool is_wanted(const LogRecord& record) const;
   void apply_mounting(LogRecord& record);
+  void number_scanner(LogRecord& record);
   void remark_varying(Mounting& mounting, const LogRecord& record);
+  /// Whether the laser's pose is what it was at the first scan.
+  [[nodiscard]] static bool is_laser_standing(const Mounting& mounting, const LogRecord& record);
+  /// Remembers the first poses of the laser and finds out that the laser's pose stays the same
+  /// while the robot moves.
+  void watch_laser_pose(Mounting& mounting, const LogRecord& record);
+  /// Refuses a mounting that is on no robot.
+  void check_distance(const std::string& sensor, Mounting& mounting);
   [[nodiscard]] const LogRecord* finish();
 
   std::unique_ptr<RecordStream> stream_;
   std::string name_;
+  std::set<std::string> wanted_;  ///< Sensors by name; none: the front one, or all.
   LogOptions options_;
   bool is_head_read_ = false;
   bool is_end_reported_ = false;
@@ -52,6 +66,7 @@ class SelectingLogReader final : public LogReader {
   LogRecord current_;
   std::map<std::string, Mounting> mountings_;
   std::string front_sensor_;
+  std::map<std::string, std::uint32_t> numbers_;  ///< Of sensors, as they come.
   std::uint64_t num_scans_handed_on_ = 0;
 };
 

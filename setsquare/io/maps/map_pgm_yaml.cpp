@@ -47,7 +47,7 @@ float log_odds_from(std::optional<double> probability) {
 
 std::string text_of(const std::string& path) {
   constexpr std::size_t kMaxYamlBytes = 1 << 20;
-  InputBuffer input(open_file_source(path));
+  InputBuffer input(open_regular_file_source(path));
   if (input.ensure(kMaxYamlBytes)) throw FormatError(path, "", "too long for a map's yaml file");
   return std::string(input.available());
 }
@@ -76,7 +76,7 @@ OccupancyGrid read_map_pgm_yaml(const std::string& yaml_path) {
   std::filesystem::path folder = std::filesystem::path(yaml_path).parent_path();
   if (folder.empty()) folder = ".";
   const std::string image_path = (folder / map.image).string();
-  return grid_from_pgm_yaml(read_pgm(open_file_source(image_path), image_path), map);
+  return grid_from_pgm_yaml(read_pgm(open_regular_file_source(image_path), image_path), map);
 }
 
 MapFiles map_files_from_grid(const OccupancyGrid& grid, const std::string& image_name) {

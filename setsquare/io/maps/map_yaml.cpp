@@ -10,10 +10,18 @@
 #include <string_view>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bytes/decimal_number.hpp"
 #include "setsquare/io/bytes/shortest_number.hpp"
 
 namespace setsquare {
 namespace {
+
+/// What a cell of a map of a place can measure.
+bool is_resolution(double resolution_m) {
+  constexpr double kFinest_m = 1e-4;
+  constexpr double kCoarsest_m = 1e3;
+  return resolution_m >= kFinest_m && resolution_m <= kCoarsest_m;
+}
 
 /// Takes the entries of the file's one mapping.
 class MapYamlReader {
@@ -33,12 +41,12 @@ class MapYamlReader {
     return node;
   }
   [[nodiscard]] double number(const YAML::Node& node, const char* key) const {
-    double value = 0.0;
-    const bool is_number = node.IsScalar() && YAML::convert<double>::decode(node, value);
-    if (!is_number || !std::isfinite(value)) {
+    // Not by yaml-cpp, whose streams follow the program's locale.
+    const auto value = node.IsScalar() ? decimal_from_text(node.Scalar()) : std::nullopt;
+    if (!value || !std::isfinite(*value)) {
       complain(node.Mark(), fmt::format("{} must be a number", key));
     }
-    return value;
+    return *value;
   }
   void read_origin(MapYaml& map) const;
   void read_thresholds(MapYaml& map) const;
@@ -105,7 +113,9 @@ MapYaml MapYamlReader::read() const {
   map.image = image.Scalar();
   const YAML::Node resolution = required("resolution");
   map.resolution_m = number(resolution, "resolution");
-  if (!(map.resolution_m > 0.0)) complain(resolution.Mark(), "resolution must be above 0");
+  if (!is_resolution(map.resolution_m)) {
+    complain(resolution.Mark(), "resolution must be from 0.0001 to 1000 m");
+  }
   read_origin(map);
   read_thresholds(map);
   read_negate(map);
@@ -157,7 +167,9 @@ std::string text_from_map_yaml(const MapYaml& map) {
     if (!std::isfinite(number)) throw ParameterError("MapYaml", "must hold finite numbers only");
   }
   if (map.image.empty()) throw ParameterError("image", "must be a file's name");
-  if (!(map.resolution_m > 0.0)) throw ParameterError("resolution_m", "must be positive");
+  if (!is_resolution(map.resolution_m)) {
+    throw ParameterError("resolution_m", "must be from 0.0001 to 1000 m");
+  }
   if (!(map.free_threshold >= 0.0 && map.free_threshold < map.occupied_threshold &&
         map.occupied_threshold <= 1.0)) {
     throw ParameterError("free_threshold", "must be below occupied_threshold, both from 0 to 1");

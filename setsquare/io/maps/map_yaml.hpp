@@ -26,8 +26,9 @@ struct MapYaml {
   MapMode mode = MapMode::kTrinary;
 };
 
-/// Reads such a file's text. image, resolution and origin must be there; what else is missing is as
-/// above. Throws FormatError with the line. `name` stands in messages for the path.
+/// Reads such a file's text. image, resolution (0.0001 to 1000 m) and origin must be there; what
+/// else is missing is as above. Throws FormatError with the line. `name` stands in messages for the
+/// path.
 [[nodiscard]] MapYaml map_yaml_from_text(const std::string& text, const std::string& name);
 
 /// The text of such a file: every entry, numbers with the fewest digits that give them back.

@@ -14,7 +14,7 @@ namespace setsquare {
 namespace {
 
 constexpr std::uint32_t kMaxSide = 1'000'000;
-constexpr std::uint64_t kMaxPixels = 400'000'000;
+constexpr std::uint64_t kMaxPixels = 100'000'000;
 constexpr std::uint32_t kMaxWhite = 65535;
 
 bool is_blank(int byte) { return byte == ' ' || (byte >= '\t' && byte <= '\r'); }
@@ -48,17 +48,24 @@ class PgmReader {
                                      std::uint32_t most);
   void skip_blanks_and_comments();
   [[nodiscard]] bool read_magic();
+  /// The one blank between the header and the pixels; both of CR LF where the header's lines end
+  /// so.
+  void skip_blank_before_pixels();
   [[nodiscard]] std::uint16_t binary_value(std::uint16_t white);
 
   InputBuffer input_;
   std::string name_;
+  bool has_windows_lines_ = false;  ///< A line of the header ended in CR LF.
 };
 
 void PgmReader::skip_blanks_and_comments() {
   for (int byte = peek(); is_blank(byte) || byte == '#'; byte = peek()) {
     const bool is_comment = byte == '#';
     while (is_comment && peek() >= 0 && peek() != '\n') input_.consume(1);
-    if (peek() >= 0) input_.consume(1);
+    if (peek() < 0) return;
+    const bool is_behind_return = byte == '\r';
+    input_.consume(1);
+    has_windows_lines_ = has_windows_lines_ || (is_behind_return && peek() == '\n');
   }
 }
 
@@ -91,6 +98,11 @@ bool PgmReader::read_magic() {
   return kind == '5';
 }
 
+void PgmReader::skip_blank_before_pixels() {
+  const int blank = take();
+  if (blank == '\r' && peek() == '\n' && has_windows_lines_) input_.consume(1);
+}
+
 std::uint16_t PgmReader::binary_value(std::uint16_t white) {
   int value = take();
   if (white > 255) value = 256 * value + take();
@@ -105,9 +117,9 @@ PgmImage PgmReader::read() {
   image.height = static_cast<std::int32_t>(number("the height", 1, kMaxSide));
   const std::uint64_t num_pixels =
       static_cast<std::uint64_t>(image.width) * static_cast<std::uint64_t>(image.height);
-  if (num_pixels > kMaxPixels) complain("more than 400 million pixels");
+  if (num_pixels > kMaxPixels) complain("more than 100 million pixels");
   image.white = static_cast<std::uint16_t>(number("the maximum value", 1, kMaxWhite));
-  if (is_binary) take();  // the one blank between the header and the pixels
+  if (is_binary) skip_blank_before_pixels();
   for (std::uint64_t i = 0; i < num_pixels; ++i) {
     image.values.push_back(is_binary
                                ? binary_value(image.white)

@@ -22,7 +22,7 @@ struct PgmImage {
 /// Reads a PGM image, binary (P5, one or two bytes per pixel) or plain text (P2); what follows it
 /// is not looked at. Memory grows with what is read, whatever the header promises. Throws
 /// FileError; FormatError with the byte offset for a file that is not a PGM, is cut short, or has
-/// more than 400 million pixels.
+/// more than 100 million pixels. Header lines may end in CR LF.
 [[nodiscard]] PgmImage read_pgm(std::unique_ptr<ByteSource> source, const std::string& name);
 
 /// The image as a binary PGM file's bytes (P5): one byte per pixel where white is at most 255, else

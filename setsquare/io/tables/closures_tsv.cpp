@@ -14,6 +14,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/bytes/shortest_number.hpp"
+#include "setsquare/io/bytes/text_beginning.hpp"
 #include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
@@ -67,7 +68,7 @@ std::optional<std::array<std::string_view, 9>> cells_of(std::string_view line) {
 
 std::optional<Timestamp> stamp_from(std::string_view cell) {
   const auto stamp = timestamp_from_decimal(cell);
-  if (!stamp || stamp->ns > kMaxStamp_ns || stamp->ns < -kMaxStamp_ns) return std::nullopt;
+  if (!stamp || !is_possible(*stamp)) return std::nullopt;
   return stamp;
 }
 
@@ -117,6 +118,7 @@ std::string tsv_from_closures(std::span<const LoopClosure> closures) {
 std::vector<LoopClosure> read_closures_tsv(std::unique_ptr<ByteSource> source,
                                            const std::string& name) {
   InputBuffer input(unpack(std::move(source)));
+  begin_text(input, name);
   LineReader lines(input);
   std::vector<LoopClosure> closures;
   bool has_header = false;

@@ -12,6 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/timestamp.hpp"
 #include "setsquare/io/bytes/line_reader.hpp"
+#include "setsquare/io/bytes/text_beginning.hpp"
 #include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
@@ -33,7 +34,7 @@ template <std::size_t num_stamps, std::size_t num_values>
   for (Timestamp& stamp : row.stamps) {
     const auto word = text.word();
     const auto read = word ? timestamp_from_decimal(*word) : std::nullopt;
-    if (!read || read->ns > kMaxStamp_ns || read->ns < -kMaxStamp_ns) return std::nullopt;
+    if (!read || !is_possible(*read)) return std::nullopt;
     stamp = *read;
   }
   for (double& value : row.values) {
@@ -54,6 +55,7 @@ void for_each_row(std::unique_ptr<ByteSource> source,
                   const std::string& row_description,
                   const Use& use) {
   InputBuffer input(unpack(std::move(source)));
+  begin_text(input, name);
   LineReader lines(input);
   bool is_empty = true;
   while (const auto line = lines.next()) {

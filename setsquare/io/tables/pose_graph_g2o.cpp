@@ -14,6 +14,7 @@
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/bytes/shortest_number.hpp"
+#include "setsquare/io/bytes/text_beginning.hpp"
 #include "setsquare/io/bytes/text_scanner.hpp"
 
 namespace setsquare {
@@ -251,6 +252,7 @@ void write_pose_graph_g2o(const std::string& path, const PoseGraph& graph) {
 
 PoseGraphG2o read_pose_graph_g2o(std::unique_ptr<ByteSource> source, const std::string& name) {
   InputBuffer input(unpack(std::move(source)));
+  begin_text(input, name);
   LineReader lines(input);
   G2oLines content(name);
   while (const auto line = lines.next()) content.add(*line, lines.line_number());

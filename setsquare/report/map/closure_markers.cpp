@@ -91,11 +91,11 @@ void encode_closure_markers(std::span<const ClosureLine> lines,
   writer.write_text("closures");
   writer.write(std::int32_t{0});  // id
   writer.write(kLineList);
-  writer.write(std::int32_t{0});  // action: add
+  writer.write(std::int32_t{0});                                     // action: add
   write_all(std::array{0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}, writer);  // pose
   write_all(std::array{kLineWidth_m, kLineWidth_m, kLineWidth_m}, writer);
   write_all(kBelieved, writer);
-  writer.write(std::int32_t{0});   // lifetime: for ever
+  writer.write(std::int32_t{0});  // lifetime: for ever
   writer.write(std::uint32_t{0});
   writer.write(std::uint8_t{0});  // frame_locked
   write_lines(lines, writer);

@@ -16,7 +16,7 @@ namespace setsquare {
 namespace {
 
 constexpr const char* kMapFrame = "map";
-constexpr const char* kRobotFrame = "base_link";
+constexpr const char* kBaseFrame = "base_link";
 /// Pictures of the growing map over the whole run: enough to see it grow, few enough to make.
 constexpr double kNumPictures = 100.0;
 constexpr double kShortestPeriod_s = 1.0;
@@ -71,34 +71,35 @@ MapRecording::MapRecording(McapWriter::Sink sink,
     : file_(std::move(sink)),
       trajectory_(std::move(trajectory)),
       closures_(std::move(closures)),
-      transforms_(file_.add_channel("/tf", "tf2_msgs/msg/TFMessage", definition_of("tf2_msgs/TFMessage"))),
+      transforms_(
+          file_.add_channel("/tf", "tf2_msgs/msg/TFMessage", definition_of("tf2_msgs/TFMessage"))),
       static_transforms_(file_.add_channel(
           "/tf_static", "tf2_msgs/msg/TFMessage", definition_of("tf2_msgs/TFMessage"), true)),
       map_(file_.add_channel(
           "/map", "nav_msgs/msg/OccupancyGrid", definition_of("nav_msgs/OccupancyGrid"), true)),
-      path_channel_(file_.add_channel("/path", "nav_msgs/msg/Path", definition_of("nav_msgs/Path"))),
+      path_channel_(
+          file_.add_channel("/path", "nav_msgs/msg/Path", definition_of("nav_msgs/Path"))),
       closure_channel_(file_.add_channel(
           "/closures", "visualization_msgs/msg/MarkerArray", closure_marker_definition())) {
-  std::stable_sort(
-      trajectory_.begin(), trajectory_.end(), [](const StampedPose& a, const StampedPose& b) {
-        return a.stamp < b.stamp;
-      });
+  std::stable_sort(trajectory_.begin(),
+                   trajectory_.end(),
+                   [](const StampedPose& a, const StampedPose& b) { return a.stamp < b.stamp; });
   path_.frame_id = kMapFrame;
   if (trajectory_.empty()) return;
   next_picture_ = trajectory_.front().stamp;
-  picture_period_s_ = std::max(
-      kShortestPeriod_s,
-      seconds_between(trajectory_.front().stamp, trajectory_.back().stamp) / kNumPictures);
+  picture_period_s_ =
+      std::max(kShortestPeriod_s,
+               seconds_between(trajectory_.front().stamp, trajectory_.back().stamp) / kNumPictures);
 }
 
 const Pose2* MapRecording::pose_at(Timestamp stamp) const {
   // Trajectories are written to the microsecond.
   constexpr std::int64_t kMaxDifference_ns = 1000;
-  const auto found = std::lower_bound(
-      trajectory_.begin(),
-      trajectory_.end(),
-      stamp.ns - kMaxDifference_ns,
-      [](const StampedPose& pose, std::int64_t ns) { return pose.stamp.ns < ns; });
+  const auto found =
+      std::lower_bound(trajectory_.begin(),
+                       trajectory_.end(),
+                       stamp.ns - kMaxDifference_ns,
+                       [](const StampedPose& pose, std::int64_t ns) { return pose.stamp.ns < ns; });
   const bool is_same_moment =
       found != trajectory_.end() && found->stamp.ns <= stamp.ns + kMaxDifference_ns;
   return is_same_moment ? &found->pose : nullptr;
@@ -122,11 +123,11 @@ bool MapRecording::add(const std::string& topic, const Scan& scan) {
   if (!laser.is_placed) {
     laser.is_placed = true;
     const ros::TfMessage place{
-        {transform_from_pose(scan.stamp, kRobotFrame, laser.frame, scan.T_base_sensor)}};
+        {transform_from_pose(scan.stamp, kBaseFrame, laser.frame, scan.T_base_sensor)}};
     ros::encode(place, cdr_);
     file_.write(static_transforms_, scan.stamp, cdr_.message());
   }
-  const ros::TfMessage robot{{transform_from_pose(scan.stamp, kMapFrame, kRobotFrame, *T_map_base)}};
+  const ros::TfMessage robot{{transform_from_pose(scan.stamp, kMapFrame, kBaseFrame, *T_map_base)}};
   ros::encode(robot, cdr_);
   file_.write(transforms_, scan.stamp, cdr_.message());
   laser_scan_from_scan(scan, laser.frame, message_);

@@ -50,6 +50,36 @@ Json json_from(const BuildingFrame& frame) {
           {"support", rounded(frame.support)}};
 }
 
+Json json_from(const Pose2& mounting) {
+  return {{"x_m", rounded(mounting.x_m)},
+          {"y_m", rounded(mounting.y_m)},
+          {"theta_deg", rounded(deg_from_rad(mounting.theta_rad))}};
+}
+
+Json json_from(const MappedScanner& scanner, const RunRecord& run) {
+  const auto name = run.scanner_names.find(scanner.scanner);
+  Json json = {{"sensor", name == run.scanner_names.end() ? "" : name->second},
+               {"mounting", json_from(scanner.T_base_sensor)},
+               {"verdict", to_string(scanner.verdict)},
+               {"scans", scanner.num_scans},
+               {"mapped", scanner.num_mapped}};
+  if (scanner.num_sightings == 0) return json;
+  json["sightings"] = scanner.num_sightings;
+  json["mounting_seen"] = json_from(scanner.T_base_seen);
+  json["sigma_deg"] = rounded(deg_from_rad(scanner.sigma_rad));
+  if (std::isfinite(scanner.sigma_m)) json["sigma_m"] = rounded(scanner.sigma_m);
+  return json;
+}
+
+Json json_from(const GyroReport& gyro) {
+  if (gyro.num_samples == 0) return {};
+  return {{"verdict", to_string(gyro.verdict)},
+          {"samples", gyro.num_samples},
+          {"turns", gyro.num_turns},
+          {"scale", rounded(gyro.scale)},
+          {"bias_deg_per_s", rounded(deg_from_rad(gyro.bias_rad_per_s))}};
+}
+
 Json closure_counts(const MapSummary& summary) {
   return {{"compared", summary.num_compared_closures},
           {"accepted", summary.num_accepted_closures},
@@ -81,6 +111,13 @@ Json object_from(const std::string& text, const char* name) {
   return json;
 }
 
+/// Throws ParameterError where the text is no JSON array.
+Json array_from_text(const std::string& text, const char* name) {
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_array()) throw ParameterError(name, "must be a JSON array");
+  return json;
+}
+
 }  // namespace
 
 std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
@@ -89,11 +126,14 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"log", run.log},
                      {"format", run.format},
                      {"sensor", run.sensor},
+                     {"scanners", array_from(map.scanners, run)},
+                     {"gyro", json_from(map.gyro)},
                      {"preset", run.preset},
                      {"frame", pose_of == PoseOf::kSensor ? "sensor" : "base"},
                      {"options", object_from(run.options_json, "options_json")},
                      {"scans_with_odometry", map.num_with_odometry},
                      {"damaged_records", run.num_damaged_records},
+                     {"findings", array_from_text(run.findings_json, "findings_json")},
                      {"num", scan_counts(summary)},
                      {"path_m", rounded(summary.path_m)},
                      {"closures", closure_counts(summary)},

@@ -21,7 +21,10 @@ namespace setsquare {
 namespace {
 
 constexpr int kMaxDepth = 200;
-constexpr std::size_t kMaxSegments = 2'000'000;
+/// Drawings of whole buildings have some ten thousand lines. At these limits reading and simulating
+/// take some 300 MB.
+constexpr std::size_t kMaxSegments = 500'000;
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 constexpr double kFarthestCorner_m = 10'000.0;
 
 struct NamedMaterial {
@@ -140,7 +143,7 @@ void SvgWalker::add(const pugi::xml_node& element, const Inherited& here) {
   for (const SvgStroke& stroke : strokes) {
     add_polyline(plan_.plan, stroke.corners_m, here.material, stroke.is_closed);
   }
-  if (plan_.plan.segments.size() > kMaxSegments) throw SvgFault("more than 2 million lines");
+  if (plan_.plan.segments.size() > kMaxSegments) throw SvgFault("more than 500 000 lines");
 }
 
 void SvgWalker::walk(const pugi::xml_node& element, const Inherited& outer) {
@@ -178,6 +181,7 @@ SvgPlan floor_plan_from_svg(std::string_view svg,
                             const std::string& name,
                             const SvgPlanParams& params) {
   params.validate();
+  if (svg.size() > kMaxBytes) throw FormatError(name, "", "more than 16 MB of SVG");
   pugi::xml_document document;
   const pugi::xml_parse_result parsed = document.load_buffer(svg.data(), svg.size());
   if (!parsed) throw FormatError(name, line_at(svg, parsed.offset), parsed.description());

@@ -32,8 +32,8 @@ struct SvgPlan {
 /// the nearest group that has one names the material: wall (where none does), door, glass, pillar,
 /// furniture, clutter. What is not displayed and what stands in defs and the like is left out; text
 /// and images are no walls. Throws FormatError with the line where the text is not well-formed,
-/// uses what cannot be followed (`use`, units, unknown materials), lies beyond 10 km, or holds no
-/// line. `name` stands in messages for the path.
+/// uses what cannot be followed (`use`, units, unknown materials), lies beyond 10 km, holds no
+/// line, more than 500 000 lines or more than 16 MB. `name` stands in messages for the path.
 [[nodiscard]] SvgPlan floor_plan_from_svg(std::string_view svg,
                                           const std::string& name,
                                           const SvgPlanParams& params = {});

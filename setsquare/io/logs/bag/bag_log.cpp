@@ -113,14 +113,13 @@ void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicR
 }
 
 void BagLog::dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role) {
-  ros::choose_echoes(scan,
-                     options_.takes_strongest_echo ? ros::EchoChoice::kStrongest
-                                                   : ros::EchoChoice::kFirst);
+  ros::choose_echoes(
+      scan, options_.takes_strongest_echo ? ros::EchoChoice::kStrongest : ros::EchoChoice::kFirst);
   dispatch(static_cast<const ros::LaserScan&>(scan), message, role);
 }
 
-/// A cloud is too large to wait: it is sliced at once, or left out while its sensor's place may still
-/// come.
+/// A cloud is too large to wait: it is sliced at once, or left out while its sensor's place may
+/// still come.
 void BagLog::dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole /*role*/) {
   if (has_scan_topic_ && options_.sensor != topic_name(message)) return;
   const Timestamp stamp = stamp_of(cloud.stamp, message);
@@ -182,8 +181,7 @@ void BagLog::add_transform(const ros::TransformStamped& transform,
                            const Message& message,
                            TopicRole role) {
   const bool is_static = role == TopicRole::kStaticTransforms;
-  const ros::TransformFault fault =
-      is_static ? tree_.add_static(transform) : tree_.add(transform);
+  const ros::TransformFault fault = is_static ? tree_.add_static(transform) : tree_.add(transform);
   if (fault != ros::TransformFault::kNone) {
     remark_once(fmt::format("{}: transform {} -> {}: {}",
                             topic_name(message),
@@ -231,6 +229,7 @@ BagLog::Pending& BagLog::add_pending(RecordKind kind, const Message& message, Ti
   pending.arrival = message.log_time;
   pending.clock_offset_ns = message.log_time.ns - stamp.ns;
   pending.is_of_cloud = false;
+  record.has_assumed_bearings = false;
   return pending;
 }
 
@@ -250,7 +249,8 @@ bool BagLog::is_beginning() const {
 bool BagLog::is_mounting_settled(const Pending& pending) const {
   const std::string& frame = pending.scan.frame_id;
   const double waited_s = seconds_between(pending.arrival, last_log_time_);
-  if (pending.is_of_cloud || frame.empty() || unplaced_frames_.contains(frame) || waited_s > kMaxWaitForFrame_s) {
+  if (pending.is_of_cloud || frame.empty() || unplaced_frames_.contains(frame) ||
+      waited_s > kMaxWaitForFrame_s) {
     return true;
   }
   const ros::TransformLookup mounting = mounting_of(frame, pending.record.stamp);
@@ -293,7 +293,20 @@ ros::TransformLookup BagLog::mounting_of(const std::string& frame, Timestamp sta
     ros::TransformLookup found = tree_.look_up(base, frame, stamp, kMaxWaitForOdometry_s);
     if (found.is_found() || found.status == ros::LookupStatus::kOutsideOfTime) return found;
   }
-  return tree_.look_up(base_frame_of(frame), frame, stamp, kMaxWaitForOdometry_s);
+  const std::string nearest = base_frame_of(frame);
+  ros::TransformLookup found = tree_.look_up(nearest, frame, stamp, kMaxWaitForOdometry_s);
+  if (nearest == frame && !is_one_of(kBaseFrames, frame) && !has_parent(frame)) {
+    found.status = ros::LookupStatus::kUnknownFrame;
+    found.reason = frame + " is in no transform";
+  }
+  return found;
+}
+
+bool BagLog::has_parent(const std::string& frame) const {
+  const std::vector<ros::TransformTree::Link> links = tree_.links();
+  return std::any_of(links.begin(), links.end(), [&frame](const ros::TransformTree::Link& link) {
+    return link.child == frame;
+  });
 }
 
 std::string BagLog::base_frame_of(const std::string& frame) const {
@@ -388,10 +401,8 @@ RecordingOverview BagLog::overview() const {
   RecordingOverview overview;
   for (std::size_t i = 0; i < source_->topics().size(); ++i) {
     const MessageTopic& topic = source_->topics()[i];
-    overview.topics.push_back({topic.name,
-                               topic.type,
-                               source_->num_messages()[i],
-                               role_of(topic) != TopicRole::kNone});
+    overview.topics.push_back(
+        {topic.name, topic.type, source_->num_messages()[i], role_of(topic) != TopicRole::kNone});
   }
   for (const ros::TransformTree::Link& link : tree_.links()) {
     overview.frames.push_back(frame_of(link));

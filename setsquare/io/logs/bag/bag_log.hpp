@@ -22,8 +22,8 @@
 
 namespace setsquare {
 
-/// The records of a recording of ROS messages: its scans, each with its laser's mounting (by tf) and
-/// with the odometry at its stamp (interpolated), the odometry, turn rates and reference poses.
+/// The records of a recording of ROS messages: its scans, each with its laser's mounting (by tf)
+/// and with the odometry at its stamp (interpolated), the odometry, turn rates and reference poses.
 ///
 /// A laser is named by its topic. Records come in file order; a scan waits until what it needs has
 /// come: the transform to its frame for up to kMaxWaitForFrame_s of the recording, a pose of the
@@ -77,6 +77,7 @@ class BagLog final : public RecordStream {
   [[nodiscard]] bool is_odometry_settled(const Pending& pending) const;
   [[nodiscard]] bool complete(Pending& pending);
   [[nodiscard]] ros::TransformLookup mounting_of(const std::string& frame, Timestamp stamp) const;
+  [[nodiscard]] bool has_parent(const std::string& frame) const;
   [[nodiscard]] std::string base_frame_of(const std::string& frame) const;
   [[nodiscard]] Timestamp in_odometry_clock(const Pending& pending) const;
 
@@ -95,10 +96,10 @@ class BagLog final : public RecordStream {
   BagOdometry odometry_;
   std::map<std::string, std::int64_t> odometry_clock_offset_ns_;  ///< By topic.
   std::deque<Pending> pending_;
-  std::vector<Pending> spare_;              ///< Whose memory is used again.
+  std::vector<Pending> spare_;                       ///< Whose memory is used again.
   std::map<std::string, ros::PointSlicer> slicers_;  ///< By the topic of clouds.
-  std::map<std::string, PlacedScans> placed_;  ///< By the laser's topic.
-  std::set<std::string> unplaced_frames_;   ///< Of lasers that no transform places.
+  std::map<std::string, PlacedScans> placed_;        ///< By the laser's topic.
+  std::set<std::string> unplaced_frames_;            ///< Of lasers that no transform places.
   std::map<std::string, std::uint64_t> num_without_stamp_;
   std::set<std::string> remarks_made_;
   std::optional<Timestamp> first_log_time_;

@@ -23,10 +23,11 @@ void McapLogWriter::write_message(std::optional<McapWriter::Channel>& channel,
                                   const MessageType& message,
                                   Timestamp stamp) {
   if (!channel) {
-    channel = file_.add_channel(topic,
-                                type,
-                                ros::builtin_definition(plain_type_name(type), MessageEncoding::kCdr),
-                                topic == "/tf_static");
+    channel =
+        file_.add_channel(topic,
+                          type,
+                          ros::builtin_definition(plain_type_name(type), MessageEncoding::kCdr),
+                          topic == "/tf_static");
   }
   ros::encode(message, cdr_);
   file_.write(*channel, stamp, cdr_.message());
@@ -53,10 +54,10 @@ McapLogWriter::Laser& McapLogWriter::laser_of(const std::string& sensor) {
   if (is_new) {
     const std::string topic = laser_topic_name(sensor, lasers_.size() == 1);
     entry->second.frame = laser_frame_name(topic);
-    entry->second.channel = file_.add_channel(
-        topic,
-        "sensor_msgs/msg/LaserScan",
-        ros::builtin_definition("sensor_msgs/LaserScan", MessageEncoding::kCdr));
+    entry->second.channel =
+        file_.add_channel(topic,
+                          "sensor_msgs/msg/LaserScan",
+                          ros::builtin_definition("sensor_msgs/LaserScan", MessageEncoding::kCdr));
   }
   return entry->second;
 }
@@ -80,9 +81,10 @@ void McapLogWriter::write_mounting(Laser& laser, const LogRecord& record) {
 
 /// Scans of several lasers may carry the odometry of one moment.
 void McapLogWriter::write_odometry(const LogRecord& record) {
-  if (last_odometry_ == record.stamp) return;
-  last_odometry_ = record.stamp;
   const Pose2& T_odom_base = *record.T_odom_base;
+  if (last_stamp_ == record.stamp && last_T_odom_base_ == T_odom_base) return;
+  last_stamp_ = record.stamp;
+  last_T_odom_base_ = T_odom_base;
   ros::Odometry odometry;
   odometry.stamp = record.stamp;
   odometry.frame_id = kOdometryFrame;

@@ -14,8 +14,8 @@
 namespace setsquare {
 
 /// Writes a log as a ROS 2 bag (MCAP): each laser's scans on a topic of its name ("/scan" for the
-/// only one of a log that knows no topics), its mounting on /tf_static, odometry on /odom and as the
-/// frames odom -> base_link on /tf, true and reference poses on /ground_truth.
+/// only one of a log that knows no topics), its mounting on /tf_static, odometry on /odom and as
+/// the frames odom -> base_link on /tf, true and reference poses on /ground_truth.
 ///
 /// Ranges and bearings become float32, as the message has them; BagLog gives back the decimal
 /// numbers that were meant.
@@ -53,7 +53,8 @@ class McapLogWriter final : public LogWriter {
   std::optional<McapWriter::Channel> transforms_;
   std::optional<McapWriter::Channel> static_transforms_;
   std::optional<McapWriter::Channel> true_poses_;
-  std::optional<Timestamp> last_odometry_;
+  std::optional<Timestamp> last_stamp_;  ///< Of the odometry written last.
+  Pose2 last_T_odom_base_;
 };
 
 }  // namespace setsquare

@@ -36,7 +36,7 @@ void BagOdometry::choose() {
 std::vector<std::string> BagOdometry::others() const {
   std::vector<std::string> topics;
   for (const auto& [topic, candidate] : candidates_) {
-    if (topic != chosen_) topics.push_back(topic);
+    if (topic != chosen_ && topic != kTransforms) topics.push_back(topic);
   }
   return topics;
 }

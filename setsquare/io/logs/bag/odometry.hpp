@@ -34,7 +34,7 @@ class BagOdometry {
   [[nodiscard]] const std::string& chosen() const { return chosen_; }
   void settle() { is_settled_ = !chosen_.empty(); }
 
-  /// Topics that were not taken, in the order of their names.
+  /// Topics that were not taken, in the order of their names; without tf, which repeats a topic.
   [[nodiscard]] std::vector<std::string> others() const;
 
   /// Of the topic that is taken.

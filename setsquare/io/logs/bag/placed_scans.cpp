@@ -16,10 +16,10 @@ double nearest_whole(double value) {
   return (value + kNoFraction) - kNoFraction;
 }
 
-/// The decimal number that was meant by a float32, to the unit's inverse: where the nearest multiple
-/// of the unit is the same float32, that multiple, else the float32 itself. So a range that a sensor
-/// gives as 1.23 m is 1.23 here, too, and not 1.2300000190734863: the same log gives the same map
-/// from a text and from a bag.
+/// The decimal number that was meant by a float32, to the unit's inverse: where the nearest
+/// multiple of the unit is the same float32, that multiple, else the float32 itself. So a range
+/// that a sensor gives as 1.23 m is 1.23 here, too, and not 1.2300000190734863: the same log gives
+/// the same map from a text and from a bag.
 double meant_decimal(double value, double per_unit) {
   const double rounded = nearest_whole(value * per_unit) / per_unit;
   return static_cast<float>(rounded) == static_cast<float>(value) ? rounded : value;
@@ -30,7 +30,8 @@ void restore_decimals(Scan& scan) {
   constexpr double kAnglesPerDegree = 1e4;
   for (double& range_m : scan.ranges_m) range_m = meant_decimal(range_m, kRangesPerMetre);
   for (double* angle_rad : {&scan.first_bearing_rad, &scan.bearing_step_rad}) {
-    const double degrees = nearest_whole(deg_from_rad(*angle_rad) * kAnglesPerDegree) / kAnglesPerDegree;
+    const double degrees =
+        nearest_whole(deg_from_rad(*angle_rad) * kAnglesPerDegree) / kAnglesPerDegree;
     const double meant_rad = rad_from_deg(degrees);
     if (static_cast<float>(meant_rad) == static_cast<float>(*angle_rad)) *angle_rad = meant_rad;
   }

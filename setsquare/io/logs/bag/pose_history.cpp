@@ -9,14 +9,15 @@
 namespace setsquare {
 
 void PoseHistory::add(Timestamp stamp, const Pose2& T_odom_base) {
-  if (!poses_.empty()) {
-    const double step_s = seconds_between(poses_.back().stamp, stamp);
-    if (step_s < -kMaxGap_s) poses_.clear();
-    if (step_s <= 0.0 && !poses_.empty()) return;
+  if (!poses_.empty() && seconds_between(poses_.back().stamp, stamp) < -kMaxGap_s) poses_.clear();
+  auto place = poses_.end();
+  while (place != poses_.begin() && std::prev(place)->stamp >= stamp) --place;
+  if (place != poses_.end() && place->stamp == stamp) {
+    place->T_odom_base = T_odom_base;
+  } else {
+    poses_.insert(place, {stamp, T_odom_base});
   }
-  poses_.push_back({stamp, T_odom_base});
-  while (poses_.size() > kMaxPoses ||
-         seconds_between(poses_.front().stamp, stamp) > kMaxAge_s) {
+  while (poses_.size() > kMaxPoses || seconds_between(poses_.front().stamp, stamp) > kMaxAge_s) {
     poses_.pop_front();
   }
 }

@@ -16,12 +16,13 @@ class PoseHistory {
  public:
   static constexpr double kMaxAge_s = 30.0;
   static constexpr std::size_t kMaxPoses = 20000;
-  /// Between poses that are further apart nothing is interpolated, and beyond the outermost ones the
-  /// nearest is taken for no longer than half of it.
+  /// Between poses that are further apart nothing is interpolated, and beyond the outermost ones
+  /// the nearest is taken for no longer than half of it.
   static constexpr double kMaxGap_s = 1.0;
 
-  /// Poses come in the order of their stamps. One that is more than kMaxGap_s older than the newest
-  /// begins the history again: the clock has jumped. One that is a little older is left out.
+  /// Poses come nearly in the order of their stamps: one that is a little older is put in its
+  /// place, and of two of the same stamp the later one counts. One that is more than kMaxGap_s
+  /// older than the newest begins the history again: the clock has jumped.
   void add(Timestamp stamp, const Pose2& T_odom_base);
 
   /// The pose at a moment, interpolated between its neighbours: the position on the line between

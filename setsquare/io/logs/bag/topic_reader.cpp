@@ -18,7 +18,7 @@ std::unique_ptr<AnyTopicDecoder> decoder_for(TopicRole role, const MessageTopic&
       return decoder_of<ros::LaserScan>(topic);
     case TopicRole::kMultiEchoScan:
       return decoder_of<ros::MultiEchoLaserScan>(topic);
-    case TopicRole::kPointCloud:
+    case TopicRole::kPoints:
       return decoder_of<ros::PointCloud2>(topic);
     case TopicRole::kOdometry:
     case TopicRole::kReferenceOdometry:

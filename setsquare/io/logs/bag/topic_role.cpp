@@ -16,7 +16,7 @@ struct TypeRole {
 constexpr std::array<TypeRole, 9> kTypeRoles = {
     {{"sensor_msgs/LaserScan", TopicRole::kScan},
      {"sensor_msgs/MultiEchoLaserScan", TopicRole::kMultiEchoScan},
-     {"sensor_msgs/PointCloud2", TopicRole::kPointCloud},
+     {"sensor_msgs/PointCloud2", TopicRole::kPoints},
      {"nav_msgs/Odometry", TopicRole::kOdometry},
      {"tf2_msgs/TFMessage", TopicRole::kTransforms},
      {"tf/tfMessage", TopicRole::kTransforms},

@@ -13,12 +13,12 @@ enum class TopicRole {
   kNone,  ///< Not read.
   kScan,
   kMultiEchoScan,
-  kPointCloud,  ///< Read where no topic of scans is there, or where it is asked for.
+  kPoints,  ///< Read where no topic of scans is there, or where it is asked for.
   kOdometry,
-  kTransforms,        ///< /tf
-  kStaticTransforms,  ///< /tf_static
-  kTurnRate,          ///< An inertial unit.
-  kReferencePose,     ///< A pose that something else measured: truth, or another program's.
+  kTransforms,         ///< /tf
+  kStaticTransforms,   ///< /tf_static
+  kTurnRate,           ///< An inertial unit.
+  kReferencePose,      ///< A pose that something else measured: truth, or another program's.
   kReferenceOdometry,  ///< The same as nav_msgs/Odometry, told by "truth" in its name.
 };
 

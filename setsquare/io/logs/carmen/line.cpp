@@ -13,9 +13,6 @@
 namespace setsquare {
 namespace {
 
-/// The lowest code of SICK scanners for "nothing seen" in CARMEN logs (81.83 and 81.91 elsewhere).
-constexpr double kSickLowestCode_m = 50.0;
-
 /// Bearings of a message that carries no angles, from the number of beams (LogOptions).
 void set_symmetric_bearings(Scan& scan, const LogOptions& options) {
   const auto num_beams = static_cast<double>(scan.num_beams());
@@ -44,7 +41,7 @@ void set_stated_bearings(Scan& scan, double start_rad, double field_of_view_rad,
 double max_range_from_stated(double stated_m) {
   constexpr double kSickFirstErrorCode_m = 81.83;
   constexpr double kSickLastErrorCode_m = 81.92;
-  if (!(stated_m > 0.0)) return kSickLowestCode_m;
+  if (!(stated_m > 0.0)) return kUnstatedMaxRange_m;
   const bool is_sick_code = stated_m > kSickFirstErrorCode_m && stated_m <= kSickLastErrorCode_m;
   return is_sick_code ? kSickFirstErrorCode_m : stated_m;
 }
@@ -85,22 +82,30 @@ bool is_message(std::string_view name) {
          std::find(kPassedOver.begin(), kPassedOver.end(), name) != kPassedOver.end();
 }
 
-CarmenLine damaged(CarmenState& state, std::string_view reason) {
+LineOutcome damaged(CarmenState& state, std::string_view reason) {
   state.reason = reason;
-  return CarmenLine::kDamaged;
+  return LineOutcome::kDamaged;
 }
 
 /// ipc_timestamp ipc_hostname logger_timestamp, and nothing behind.
-bool read_tail(TextScanner& text, LogRecord& record) {
+LineOutcome read_tail(TextScanner& text, CarmenState& state, LogRecord& record) {
   const auto stamp_text = text.word();
   const auto host = text.word();
   const auto logger_stamp = text.word();
-  if (!stamp_text || !host || !logger_stamp || !text.is_at_end()) return false;
-  const auto stamp = timestamp_from_decimal(*stamp_text);
-  if (!stamp || stamp->ns > kMaxStamp_ns || stamp->ns < -kMaxStamp_ns) return false;
+  constexpr std::string_view kWhatIsExpected = "stamp, host and logger stamp expected at the end";
+  if (!stamp_text || !host || !logger_stamp || !text.is_at_end()) {
+    return damaged(state, kWhatIsExpected);
+  }
+  const auto stamp = timestamp_from_decimal(*stamp_text, state.options.stamp_unit);
+  const bool is_number = stamp || TextScanner(*stamp_text).finite_number();
+  if (!is_number) return damaged(state, kWhatIsExpected);
+  if (!stamp || stamp->ns > kMaxStamp_ns || stamp->ns < -kMaxStamp_ns) {
+    return damaged(state,
+                   "the stamp lies beyond the year 2112: in milliseconds or finer (--stamp-unit)?");
+  }
   record.stamp = *stamp;
   record.scan.stamp = *stamp;
-  return true;
+  return LineOutcome::kRecord;
 }
 
 /// n, then n ranges.
@@ -108,12 +113,7 @@ bool read_ranges(TextScanner& text, std::vector<double>& ranges_m) {
   const auto num_beams = text.count();
   if (!num_beams || *num_beams == 0 || *num_beams > kMaxBeams) return false;
   ranges_m.resize(*num_beams);
-  for (double& range_m : ranges_m) {
-    const auto range = text.number();
-    if (!range) return false;
-    range_m = *range;
-  }
-  return true;
+  return text.numbers(ranges_m);
 }
 
 /// 10^-d for a number written with d decimals, at most 1 cm (a plain "0" has no known precision).
@@ -166,31 +166,25 @@ bool skip_numbers(TextScanner& text, std::uint32_t count) {
   return true;
 }
 
-bool has_valid_geometry(const Scan& scan) {
-  try {
-    scan.validate();
-    return true;
-  } catch (const ParameterError&) {
-    return false;
-  }
-}
-
 /// FLASER num_readings [ranges] laser_pose robot_pose tail.
-CarmenLine read_old_scan(bool is_front, TextScanner& text, CarmenState& state, LogRecord& record) {
+LineOutcome read_old_scan(bool is_front, TextScanner& text, CarmenState& state, LogRecord& record) {
   if (!read_ranges(text, record.scan.ranges_m))
     return damaged(state, "ranges missing or not numbers");
   if (!read_poses(text, state, record)) return damaged(state, "poses missing or not numbers");
-  if (!read_tail(text, record))
-    return damaged(state, "stamp, host and logger stamp expected at the end");
+  if (read_tail(text, state, record) == LineOutcome::kDamaged) return LineOutcome::kDamaged;
   set_symmetric_bearings(record.scan, state.options);
+  record.has_assumed_bearings = true;
   record.scan.max_range_m =
-      (is_front ? state.front_max_range_m : state.rear_max_range_m).value_or(kSickLowestCode_m);
-  return has_valid_geometry(record.scan) ? CarmenLine::kRecord
+      (is_front ? state.front_max_range_m : state.rear_max_range_m).value_or(kUnstatedMaxRange_m);
+  return has_valid_geometry(record.scan) ? LineOutcome::kRecord
                                          : damaged(state, "angles that no scan has");
 }
 
 /// ROBOTLASERn and, without poses and safety fields, RAWLASERn.
-CarmenLine read_new_scan(bool has_poses, TextScanner& text, CarmenState& state, LogRecord& record) {
+LineOutcome read_new_scan(bool has_poses,
+                          TextScanner& text,
+                          CarmenState& state,
+                          LogRecord& record) {
   const auto scanner = read_scanner_fields(text);
   if (!scanner) return damaged(state, "scanner fields missing or not numbers");
   if (!read_ranges(text, record.scan.ranges_m))
@@ -206,17 +200,16 @@ CarmenLine read_new_scan(bool has_poses, TextScanner& text, CarmenState& state, 
   if (has_poses && !skip_numbers(text, kNumVelocityAndSafetyFields)) {
     return damaged(state, "velocity or safety fields missing or not numbers");
   }
-  if (!read_tail(text, record))
-    return damaged(state, "stamp, host and logger stamp expected at the end");
+  if (read_tail(text, state, record) == LineOutcome::kDamaged) return LineOutcome::kDamaged;
   set_stated_bearings(
       record.scan, scanner->start_angle_rad, scanner->field_of_view_rad, scanner->bearing_step_rad);
   record.scan.max_range_m = max_range_from_stated(scanner->max_range_m);
-  return has_valid_geometry(record.scan) ? CarmenLine::kRecord
+  return has_valid_geometry(record.scan) ? LineOutcome::kRecord
                                          : damaged(state, "angles that no scan has");
 }
 
 /// ODOM x y theta tv rv accel tail.
-CarmenLine read_odometry(TextScanner& text, CarmenState& state, LogRecord& record) {
+LineOutcome read_odometry(TextScanner& text, CarmenState& state, LogRecord& record) {
   record.T_odom_base = text.pose();
   record.forward_m_per_s = text.finite_number();
   record.turn_rad_per_s = text.finite_number();
@@ -224,25 +217,24 @@ CarmenLine read_odometry(TextScanner& text, CarmenState& state, LogRecord& recor
   if (!record.T_odom_base || !record.forward_m_per_s || !record.turn_rad_per_s || !acceleration) {
     return damaged(state, "odometry fields missing or not numbers");
   }
-  if (!read_tail(text, record))
-    return damaged(state, "stamp, host and logger stamp expected at the end");
+  if (read_tail(text, state, record) == LineOutcome::kDamaged) return LineOutcome::kDamaged;
   record.kind = RecordKind::kOdometry;
-  return CarmenLine::kRecord;
+  return LineOutcome::kRecord;
 }
 
 /// TRUEPOS true_pose odometry_pose tail.
-CarmenLine read_true_pose(TextScanner& text, CarmenState& state, LogRecord& record) {
+LineOutcome read_true_pose(TextScanner& text, CarmenState& state, LogRecord& record) {
   record.T_map_base = text.pose();
   record.T_odom_base = text.pose();
-  if (!record.T_map_base || !record.T_odom_base || !read_tail(text, record)) {
-    return damaged(state, "true pose, odometry pose and stamps expected");
+  if (!record.T_map_base || !record.T_odom_base) {
+    return damaged(state, "true pose and odometry pose expected");
   }
   record.kind = RecordKind::kTruePose;
-  return CarmenLine::kRecord;
+  return read_tail(text, state, record);
 }
 
 /// PARAM name value ...: only the reach of the lasers matters.
-CarmenLine read_parameter(TextScanner& text, CarmenState& state) {
+LineOutcome read_parameter(TextScanner& text, CarmenState& state) {
   const auto name = text.word();
   const auto max_range_m = text.number();
   if (name && max_range_m && *max_range_m > 0.0) {
@@ -251,34 +243,23 @@ CarmenLine read_parameter(TextScanner& text, CarmenState& state) {
     if (*name == "robot_rear_laser_max")
       state.rear_max_range_m = max_range_from_stated(*max_range_m);
   }
-  return CarmenLine::kNoRecord;
-}
-
-void clear(LogRecord& record, std::string_view name) {
-  record.sensor = name;
-  record.kind = RecordKind::kScan;
-  record.T_odom_base.reset();
-  record.T_map_base.reset();
-  record.forward_m_per_s.reset();
-  record.turn_rad_per_s.reset();
-  record.scan.ranges_m.clear();
-  record.scan.T_base_sensor = {};
+  return LineOutcome::kNoRecord;
 }
 
 }  // namespace
 
-CarmenLine read_carmen_line(std::string_view line, CarmenState& state, LogRecord& record) {
-  if (line.empty() || line.front() == '#') return CarmenLine::kNoRecord;
+LineOutcome read_carmen_line(std::string_view line, CarmenState& state, LogRecord& record) {
+  if (line.empty() || line.front() == '#') return LineOutcome::kNoRecord;
   TextScanner text(line);
   const auto name = text.word();
-  if (!name) return CarmenLine::kNoRecord;
+  if (!name) return LineOutcome::kNoRecord;
   if (!is_message(*name)) return damaged(state, "unknown message");
   if (*name == "PARAM") return read_parameter(text, state);
   const bool is_scan = is_scan_message(*name);
   if (!is_scan && (state.options.scans_only || (*name != "ODOM" && *name != "TRUEPOS"))) {
-    return CarmenLine::kNoRecord;
+    return LineOutcome::kNoRecord;
   }
-  clear(record, *name);
+  start_record(record, *name);
   if (*name == "ODOM") return read_odometry(text, state, record);
   if (*name == "TRUEPOS") return read_true_pose(text, state, record);
   if (name->starts_with("RO")) return read_new_scan(true, text, state, record);

@@ -5,16 +5,9 @@
 #include <optional>
 #include <string_view>
 
-#include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/io/logs/line_log.hpp"
 
 namespace setsquare {
-
-/// What one line of a CARMEN log turned out to be.
-enum class CarmenLine {
-  kRecord,    ///< A scan, odometry or true pose: the record is filled.
-  kNoRecord,  ///< A comment, an empty line or a message that holds none.
-  kDamaged,   ///< Skipped; the reason is set.
-};
 
 /// What earlier lines set: PARAM messages hold for the rest of the log.
 struct CarmenState {
@@ -29,9 +22,9 @@ struct CarmenState {
 /// Reads one line of a CARMEN log. Message formats: FLASER, RLASER, RAWLASERn, ROBOTLASERn, ODOM,
 /// TRUEPOS, PARAM; other known messages are skipped. The stamp is the IPC stamp, third field
 /// from the end. A scan's mounting is robot pose^-1 * laser pose of this line, rounding included.
-[[nodiscard]] CarmenLine read_carmen_line(std::string_view line,
-                                          CarmenState& state,
-                                          LogRecord& record);
+[[nodiscard]] LineOutcome read_carmen_line(std::string_view line,
+                                           CarmenState& state,
+                                           LogRecord& record);
 
 /// Whether a text's beginning shows a CARMEN message.
 [[nodiscard]] bool is_carmen_log(std::string_view beginning);

@@ -5,26 +5,24 @@
 #include <memory>
 #include <string>
 
-#include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/logs/carmen/line.hpp"
-#include "setsquare/io/logs/record_stream.hpp"
+#include "setsquare/io/logs/line_log.hpp"
 
 namespace setsquare {
 
 /// The records of a CARMEN log: one message per line (read_carmen_line).
-class CarmenLog final : public RecordStream {
+class CarmenLog final : public LineLog {
  public:
   CarmenLog(std::unique_ptr<InputBuffer> input, const LogOptions& options);
 
-  bool read(LogRecord& record) override;
   double mounting_rounding() const override { return state_.pose_rounding; }
   std::string format() const override { return "CARMEN log"; }
-  std::optional<double> fraction_read() const override { return input_->source().fraction_read(); }
-  std::string damage() const override { return input_->source().damage(); }
+
+ protected:
+  LineOutcome read_line(std::string_view line, LogRecord& record) override;
+  std::string reason(std::string_view line) const override;
 
  private:
-  std::unique_ptr<InputBuffer> input_;
-  LineReader lines_;
   CarmenState state_;
 };
 

@@ -11,6 +11,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/stamp_text.hpp"
 
 namespace setsquare {
 namespace {
@@ -32,16 +33,8 @@ void append_pose(std::string& text, const Pose2& pose) {
   }
 }
 
-std::string text_of(Timestamp stamp) {
-  std::string text = to_string(Timestamp{stamp.ns - stamp.ns % 1000});
-  const auto rest_ns = static_cast<int>(std::abs(stamp.ns % 1000));
-  if (rest_ns == 0) return text;
-  const bool has_lost_its_sign = stamp.ns < 0 && stamp.ns > -1000;
-  return fmt::format("{}{}{:03}", has_lost_its_sign ? "-" : "", text, rest_ns);
-}
-
 void append_tail(std::string& log, Timestamp stamp) {
-  const std::string text = text_of(stamp);
+  const std::string text = exact_text(stamp);
   log += fmt::format(" {}{}{}\n", text, kHost, text);
 }
 
@@ -66,7 +59,7 @@ void append_carmen_scan(std::string& log, const Scan& scan, const CarmenRobot& r
   if (scan.num_beams() == 0) throw ParameterError("ranges_m", "must hold a beam");
   // Rounded up: a return just below the maximum range stays below what is written.
   const double max_range_m = kRangeUnit_m * std::ceil(scan.max_range_m / kRangeUnit_m - 1e-6);
-  log += "ROBOTLASER1 0";
+  fmt::format_to(std::back_inserter(log), "ROBOTLASER{} 0", scan.scanner + 1);
   for (const double angle_rad :
        {scan.first_bearing_rad, scan.field_of_view_rad(), scan.bearing_step_rad}) {
     append_number(log += ' ', angle_rad, kBearingDecimals);

@@ -10,7 +10,7 @@
 
 namespace setsquare {
 
-/// The robot's part of a ROBOTLASER1 message.
+/// The robot's part of a ROBOTLASERn message.
 struct CarmenRobot {
   Pose2 T_odom_base;  ///< By the wheels.
   double forward_m_per_s = 0.0;
@@ -18,10 +18,11 @@ struct CarmenRobot {
 };
 
 /// Appends a scan as one line of a CARMEN log:
-/// "ROBOTLASER1 laser_type start_angle field_of_view angular_resolution maximum_range accuracy
+/// "ROBOTLASERn laser_type start_angle field_of_view angular_resolution maximum_range accuracy
 /// remission_mode num_ranges [ranges] num_remissions [remissions] laser_x laser_y laser_theta
 /// robot_x robot_y robot_theta laser_tv laser_rv forward_safety side_safety turn_axis
-/// timestamp host logger_timestamp", both poses by odometry, their difference the mounting.
+/// timestamp host logger_timestamp", both poses by odometry, their difference the mounting; n is
+/// Scan::scanner from 1.
 /// Ranges in m with three decimals, poses with six, stamps to the microsecond, or to the nanosecond
 /// where they have one. What a beam measured (Scan::outcome) survives: a no-return is written as
 /// the maximum range, an invalid beam as 0. Throws ParameterError where the scan has no beam or no

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "setsquare/io/logs/faults/checks.hpp"
+
+namespace setsquare {
+namespace {
+
+/// The share of the decided comparisons that a reading won; 0 where too few were decided.
+double share_of_votes(const MotionSurvey& motion, ScanReading reading) {
+  constexpr std::uint64_t kLeastDecided = 5;
+  const std::uint64_t num_decided = motion.num_decided();
+  if (num_decided < kLeastDecided) return 0.0;
+  return static_cast<double>(motion.num_votes(reading)) / static_cast<double>(num_decided);
+}
+
+/// Votes for a wrong reading are scattered: a majority of three in five is none by chance.
+constexpr double kClearMajority = 0.6;
+
+double share_of_scans(const SensorSurvey& sensor, std::uint64_t count) {
+  return static_cast<double>(count) /
+         static_cast<double>(std::max<std::uint64_t>(1, sensor.stamps.num_stamps));
+}
+
+}  // namespace
+
+std::optional<LogFinding> check_field_of_view(const CheckedLaser& laser) {
+  struct Candidate {
+    ScanReading reading;
+    int degrees;
+  };
+  constexpr std::array<Candidate, 3> kCandidates = {{{ScanReading::kFieldOf240, 240},
+                                                     {ScanReading::kFieldOf270, 270},
+                                                     {ScanReading::kFieldOf360, 360}}};
+  if (!laser.sensor.has_assumed_bearings) return std::nullopt;
+  for (const Candidate& candidate : kCandidates) {
+    const double share = share_of_votes(laser.sensor.motion, candidate.reading);
+    if (share < kClearMajority) continue;
+    return LogFinding{
+        .kind = FindingKind::kFieldOfView,
+        .sentence = fmt::format("{}: the log states no angles; 180 degrees are assumed, and {} of "
+                                "{} comparisons with the odometry fit {} degrees",
+                                laser.name,
+                                percent(share),
+                                laser.sensor.motion.num_decided(),
+                                candidate.degrees),
+        .share = share,
+        .option = fmt::format("--field-of-view {}", candidate.degrees)};
+  }
+  return std::nullopt;
+}
+
+std::optional<LogFinding> check_mirrored(const CheckedLaser& laser) {
+  const double share = share_of_votes(laser.sensor.motion, ScanReading::kMirrored);
+  if (share < kClearMajority) return std::nullopt;
+  return LogFinding{
+      .kind = FindingKind::kMirrored,
+      .sentence = fmt::format("{}: the scans turn against the odometry in {} of {} comparisons: "
+                              "mounted upside down, or beams counted clockwise?",
+                              laser.name,
+                              percent(share),
+                              laser.sensor.motion.num_decided()),
+      .share = share,
+      .option = "--mirror-scans"};
+}
+
+std::optional<LogFinding> check_scans_repeated(const CheckedLaser& laser) {
+  const std::uint64_t num_unchanged = laser.sensor.num_unchanged;
+  if (num_unchanged == 0) return std::nullopt;
+  const double share = share_of_scans(laser.sensor, num_unchanged);
+  return LogFinding{
+      .kind = FindingKind::kScansRepeated,
+      .sentence = fmt::format("{}: {} scans ({}) repeat the one before, range by range; where the "
+                              "odometry moves they measure nothing and are not used",
+                              laser.name,
+                              num_unchanged,
+                              percent(share)),
+      .share = share};
+}
+
+std::optional<LogFinding> check_scans_stand(const CheckedLaser& laser) {
+  const double share = share_of_votes(laser.sensor.motion, ScanReading::kNotMoved);
+  if (share < kClearMajority) return std::nullopt;
+  return LogFinding{
+      .kind = FindingKind::kScansStand,
+      .sentence = fmt::format("{}: the scans stay as they were in {} of {} comparisons over which "
+                              "the odometry moves",
+                              laser.name,
+                              percent(share),
+                              laser.sensor.motion.num_decided()),
+      .share = share,
+      .option = "--no-odometry"};
+}
+
+std::optional<LogFinding> check_odometry_constant(const CheckedLaser& laser) {
+  constexpr double kLeastMoved = 0.1;
+  const OdometrySurvey& odometry = laser.odometry;
+  const MotionSurvey& motion = laser.sensor.motion;
+  const bool never_moves = odometry.num_poses > 1 && odometry.num_still + 1 == odometry.num_poses;
+  if (!never_moves || motion.num_at_rest() == 0) return std::nullopt;
+  const double share =
+      static_cast<double>(motion.num_moved_at_rest()) / static_cast<double>(motion.num_at_rest());
+  if (share < kLeastMoved) return std::nullopt;
+  return LogFinding{
+      .kind = FindingKind::kOdometryConstant,
+      .sentence = fmt::format("{}: all {} odometry poses are the same while the scans move: no "
+                              "odometry",
+                              laser.name,
+                              odometry.num_poses),
+      .share = 1.0,
+      .option = "--no-odometry"};
+}
+
+}  // namespace setsquare
