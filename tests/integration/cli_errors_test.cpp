@@ -72,11 +72,13 @@ TEST(CommandErrors, ValuesOutOfTheirDomainNameTheOptionAndTheDomain) {
 TEST(CommandErrors, FilesThatAreNoLogs) {
   const TemporaryFolder folder;
   expect_one_line_error("info /no/such.clf", "/no/such.clf: No such file or directory");
-  expect_one_line_error("info /", "/: Is a directory");
+  expect_one_line_error("info /", "/: a folder without a recording");
   expect_one_line_error("info " + folder.write("empty.clf", ""), "empty.clf: the file is empty");
   expect_one_line_error("info " + folder.write("text.clf", "no log\nat all\n"),
-                        "text.clf: neither a CARMEN log nor an MRPT rawlog");
-  expect_one_line_error("info " + folder.write("a.bag", "#ROSBAG V2.0\n..."), "a ROS 1 bag");
+                        "text.clf: neither a ROS bag, a CARMEN log, JSON lines, a CSV table of "
+                        "scans nor an MRPT rawlog");
+  expect_one_line_error("info " + folder.write("a.bag", "#ROSBAG V2.0\n..."),
+                        "a.bag: no scan in this log");
   std::string garbage;
   for (int i = 0; i < 100'000; ++i) garbage += static_cast<char>((i * 7919 + i / 13) % 251 - 125);
   expect_one_line_error("info " + folder.write("garbage", garbage), "garbage: neither");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -181,6 +182,14 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
   const std::string cut =
       folder.write("cut.yaml", "image: cut.pgm\nresolution: 1\norigin: [0,0,0]");
   static_cast<void>(folder.write("cut.pgm", "P5 10 10 255\nabc"));
+  static_cast<void>(folder.write("room.pgm", room_image()));
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe.pgm").c_str(), 0600), 0);
+  const std::string map =
+      folder.write("room.yaml", "image: room.pgm\nresolution: 0.1\norigin: [-1, -1, 0]");
+  const std::string fine =
+      folder.write("fine.yaml", "image: room.pgm\nresolution: 1e-300\norigin: [0, 0, 0]");
+  const std::string piped =
+      folder.write("piped.yaml", "image: pipe.pgm\nresolution: 0.1\norigin: [0, 0, 0]");
   const auto expect_error = [&](const std::string& arguments, const std::string& expected) {
     const CommandOutcome outcome =
         run_setsquare("simulate " + arguments + " -o '" + out.string() + "'");
@@ -197,8 +206,14 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
   expect_error("--plan " + no_route, "no.svg: no route");
   expect_error("--plan " + room + " --route 1,1", "two points");
   expect_error("--plan " + room + " --route '1,1 2'", "point 2");
+  expect_error("--plan " + room + " --route '100,-200 500,-200'",
+               "through a wall at 270.00,-200.00");
   expect_error("--plan " + room + " --route '-100,-100 900,-100'",
-               "through a wall at 0.00,-100.00");
+               "leaves the plan at -100.00,-100.00");
+  expect_error("--plan " + map + " --route '-0.95,1 -0.95,2'", "stands in a wall at -0.95,1.00");
+  expect_error("--plan " + map + " --route '1,1 50,1'", "leaves the map at 50.00,1.00");
+  expect_error("--plan " + fine + " --route '1,1 2,1'", "line 2: resolution must be from 0.0001");
+  expect_error("--plan " + piped + " --route '1,1 2,1'", "pipe.pgm: not a regular file");
   expect_error("--plan " + cut + " --route '1,1 2,2'", "cut.pgm, offset 16: the image ends");
   expect_error("--plan " + folder.write("plan.dxf", "x") + " --route '1,1 2,2'", ".svg, .yaml");
   expect_error("--seed -1", "--seed: -1 is not a whole number from 0");

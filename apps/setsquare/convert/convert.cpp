@@ -77,9 +77,8 @@ void convert_map(const ConvertOptions& options, const std::vector<std::string>& 
   const RecordedMap recorded = record_map(
       options.map_folder, *reader, [&output](std::string_view bytes) { output.append(bytes); });
   output.commit();
-  std::cerr << fmt::format("{} scans and the map written to {}\n",
-                           recorded.num_scans,
-                           name_of(output_path));
+  std::cerr << fmt::format(
+      "{} scans and the map written to {}\n", recorded.num_scans, name_of(output_path));
   if (recorded.num_without_pose > 0) {
     std::cerr << fmt::format("left out: {} scans that the map has no pose of\n",
                              recorded.num_without_pose);
@@ -111,9 +110,8 @@ void convert_log(const ConvertOptions& options) {
                              writer->num_left_out());
   }
   if (converted.num_refused > 0) {
-    std::cerr << fmt::format("left out: {} scans, the first since {}\n",
-                             converted.num_refused,
-                             converted.first_reason);
+    std::cerr << fmt::format(
+        "left out: {} scans, the first since {}\n", converted.num_refused, converted.first_reason);
   }
   tell_problems(logs.front(), reader->problems());
 }
@@ -146,7 +144,8 @@ void add_convert(CLI::App& application) {
   add_log_options(*convert_command, options->log);
   convert_command->get_option("--sensor")->default_str("all");
   convert_command->footer(
-      "mcap: a ROS 2 bag, which Foxglove and Lichtblick open; jsonl: everything, exactly; csv: the\n"
+      "mcap: a ROS 2 bag, which Foxglove and Lichtblick open; jsonl: everything, exactly; csv: "
+      "the\n"
       "scans; carmen: scans of one laser, to the millimetre; tum: reference poses (or odometry).\n"
       "docs/formats.md describes them. The last name is the output, - = stdout.\n"
       "Examples:\n"

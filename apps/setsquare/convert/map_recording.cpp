@@ -22,7 +22,8 @@ void require_poses_of_robot(const std::filesystem::path& run_path) {
   if (!file) throw FileError(run_path.string(), "cannot be read: not the folder of a map?");
   const auto run = nlohmann::json::parse(file, nullptr, false);
   if (run.is_object() && run.value("frame", "base") == "sensor") {
-    throw FormatError(run_path.string(), "", "the map was made with --frame sensor; map again without");
+    throw FormatError(
+        run_path.string(), "", "the map was made with --frame sensor; map again without");
   }
 }
 
@@ -44,7 +45,8 @@ RecordedMap record_map(const std::string& folder, LogReader& reader, McapWriter:
   }
   recording.finish();
   if (recorded.num_scans == 0) {
-    throw FormatError(folder, "", "no scan of the log has a pose there: it is the map of another log");
+    throw FormatError(
+        folder, "", "no scan of the log has a pose there: it is the map of another log");
   }
   return recorded;
 }

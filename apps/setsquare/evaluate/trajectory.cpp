@@ -26,6 +26,7 @@ struct TrajectoryFiles {
   std::string trajectory_path;
   std::string reference_path;
   double max_time_difference_s = 0.0;
+  QuaternionOrder order_of_reference = QuaternionOrder::kWLast;
   bool is_json = false;
 };
 
@@ -41,9 +42,24 @@ struct RpeOptions {
   double delta_poses = 0.0;  // 0: not asked for
 };
 
+/// Reads a trajectory; tells on standard error where most of its poses lie on their side.
+Trajectory read_told(const std::string& path, QuaternionOrder order = QuaternionOrder::kWLast) {
+  TumReading reading = read_tum(path, order);
+  const std::size_t num_poses = reading.trajectory.size();
+  if (2 * reading.num_tilted > num_poses) {
+    std::cerr << fmt::format(
+        "setsquare: {}: {} of {} poses lie on their side (tilted by more than 45 deg): are the "
+        "quaternions written w first? Read were qx qy qz qw; try --w-first for the reference\n",
+        path,
+        reading.num_tilted,
+        num_poses);
+  }
+  return std::move(reading.trajectory);
+}
+
 PairedPoses read_pairs(const TrajectoryFiles& files) {
-  const Trajectory trajectory = read_trajectory_tum(files.trajectory_path);
-  const Trajectory reference = read_trajectory_tum(files.reference_path);
+  const Trajectory trajectory = read_told(files.trajectory_path);
+  const Trajectory reference = read_told(files.reference_path, files.order_of_reference);
   PairedPoses paired = pair_poses(trajectory, reference, files.max_time_difference_s);
   if (paired.pairs.empty()) {
     throw FormatError(
@@ -133,6 +149,10 @@ void add_files(CLI::App& subcommand, TrajectoryFiles& files) {
       ->type_name("")
       ->required();
   add_time_difference_option(subcommand, files.max_time_difference_s);
+  subcommand.add_flag_callback(
+      "--w-first",
+      [&files] { files.order_of_reference = QuaternionOrder::kWFirst; },
+      "The reference's quaternions are written qw qx qy qz");
   subcommand.add_flag("--json", files.is_json, "Print JSON");
 }
 

@@ -11,7 +11,8 @@
 #include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
-#include "setsquare/io/logs/log_survey.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/faults/find_faults.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 
 namespace setsquare::app {
@@ -23,24 +24,32 @@ struct InfoOptions {
   bool is_json = false;
 };
 
+/// A recording of messages without a scan is worth a look, too: it has topics.
+void survey_log(LogReader& reader, InfoReport& report) {
+  ProgressBar progress("reading");
+  try {
+    while (const LogRecord* record = reader.next()) {
+      report.survey.add(*record);
+      progress.advance(reader.fraction_read());
+    }
+  } catch (const FormatError&) {
+    if (reader.overview().empty()) throw;
+  }
+}
+
 void tell_info(const InfoOptions& options) {
   LogOptions log_options = options.log;
   log_options.scans_only = false;
   if (log_options.sensor.empty()) log_options.sensor = "all";
   const auto reader = open_log(options.log_path, log_options);
   InfoReport report;
-  {
-    ProgressBar progress("reading");
-    while (const LogRecord* record = reader->next()) {
-      report.survey.add(*record);
-      progress.advance(reader->fraction_read());
-    }
-  }
+  survey_log(*reader, report);
   report.path = options.log_path == "-" ? "standard input" : options.log_path;
   report.format = reader->format();
   report.front_sensor = reader->front_sensor();
   report.problems = reader->problems();
   report.recording = reader->overview();
+  report.findings = find_faults(report.survey, report.problems, report.format);
   if (options.is_json) {
     print_info_json(report, std::cout);
   } else {

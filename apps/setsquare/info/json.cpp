@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/setsquare/info/report.hpp"
+#include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
 
 namespace setsquare::app {
@@ -115,7 +116,7 @@ void print_info_json(const InfoReport& report, std::ostream& out) {
                      {"odometry_records", json_from(report.survey.wheel_odometry)},
                      {"num_true_poses", report.survey.num_true_poses},
                      {"problems", json_from(report.problems)},
-                     {"findings", findings(report)}};
+                     {"findings", Json::parse(json_of_findings(report.findings))}};
   // A path need not be UTF-8.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
 
 namespace setsquare::app {
@@ -109,10 +110,19 @@ void print_odometry(const char* name, const OdometrySurvey& odometry, std::ostre
       percent(odometry.num_still, odometry.num_poses));
 }
 
+void print_damage(const LogProblems& problems, std::ostream& out) {
+  out << "\ndamaged records\n";
+  for (const LogProblem& problem : problems.first) {
+    out << "  " << problem.location << ": " << problem.reason << "\n";
+  }
+  if (problems.num_damaged > problems.first.size()) out << "  ...\n";
+}
+
 }  // namespace
 
 void print_info(const InfoReport& report, std::ostream& out) {
   out << report.path << ": " << report.format << "\n";
+  if (report.survey.sensors.empty()) out << "\nno scans\n";
   for (const auto& [name, sensor] : report.survey.sensors) {
     print_sensor(name, name == report.front_sensor, sensor, out);
   }
@@ -125,10 +135,10 @@ void print_info(const InfoReport& report, std::ostream& out) {
   }
   print_odometry("alone", report.survey.wheel_odometry, out);
   if (!has_odometry) out << "  none\n";
-  const std::vector<std::string> wrong = findings(report);
   out << "\nwhat is wrong\n";
-  for (const std::string& finding : wrong) out << "  " << finding << "\n";
-  if (wrong.empty()) out << "  nothing found\n";
+  print_findings(report.findings, out);
+  if (report.findings.empty()) out << "  nothing found\n";
+  if (report.problems.num_damaged > 1) print_damage(report.problems, out);
 }
 
 }  // namespace setsquare::app

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "setsquare/io/logs/faults/finding.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/io/logs/log_survey.hpp"
 
@@ -19,10 +20,8 @@ struct InfoReport {
   LogSurvey survey;
   LogProblems problems;
   RecordingOverview recording;  ///< Empty unless the log is one of messages.
+  std::vector<LogFinding> findings;
 };
-
-/// What is wrong with the log, one sentence each; empty where nothing was found.
-[[nodiscard]] std::vector<std::string> findings(const InfoReport& report);
 
 void print_info(const InfoReport& report, std::ostream& out);
 void print_info_json(const InfoReport& report, std::ostream& out);

@@ -16,8 +16,10 @@ void add_log_argument(CLI::App& subcommand, std::string& path);
 /// The same where several logs of one run may be given.
 void add_log_arguments(CLI::App& subcommand, std::vector<std::string>& paths);
 
-/// Adds the options by which every subcommand reads a log: --sensor, --from, --to, --rate,
-/// --field-of-view, --angular-step, --max-range and others. `options` must outlive the application.
+/// Adds the options by which every subcommand reads a log: --sensor, --mounting, --from, --to,
+/// --rate,
+/// --field-of-view, --angular-step, --max-range, for rows of angles and distances
+/// --layout and what goes with it, and others. `options` must outlive the application.
 void add_log_options(CLI::App& subcommand, LogOptions& options);
 
 /// "standard input" for "-", else the last part of the path: how a page or a picture names the log.

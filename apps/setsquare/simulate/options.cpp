@@ -6,12 +6,15 @@
 #include <cstdint>
 #include <limits>
 
+#include "apps/setsquare/scans/mounting_text.hpp"
 #include "apps/setsquare/simulate/simulate.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
 namespace setsquare::app {
 namespace {
+
+constexpr int kMaxScanners = 9;  // ROBOTLASER1 to ROBOTLASER9
 
 void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
   CLI::Option* const building =
@@ -66,6 +69,29 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
       ->check(whole_number(2, kMaxBeams))
       ->type_name("N")
       ->default_str("the scanner's");
+  CLI::Option* const mounting =
+      subcommand
+          .add_option_function<std::vector<std::string>>(
+              "--mounting",
+              [&options](const std::vector<std::string>& texts) {
+                for (const std::string& text : texts) {
+                  options.T_base_sensor.push_back(mounting_from_text("--mounting", text));
+                }
+              },
+              "Where a scanner is on the robot, turned by DEG; repeated for each further one")
+          ->expected(1, kMaxScanners)
+          ->type_name("X,Y,DEG")
+          ->default_str("0,0,0");
+  subcommand
+      .add_option_function<std::string>(
+          "--mounting-error",
+          [&options](const std::string& text) {
+            options.T_stated_true = mounting_from_text("--mounting-error", text);
+          },
+          "Where the last scanner truly is, seen from the mounting that the log states")
+      ->type_name("X,Y,DEG")
+      ->default_str("0,0,0")
+      ->needs(mounting);
 }
 
 void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <vector>
 
 #include "apps/setsquare/progress_bar.hpp"
@@ -21,6 +23,7 @@ constexpr double kMaxScans = 1e6;
 // Parts of the seed; the building has the seed itself.
 constexpr std::uint64_t kOdometryPart = 1;
 constexpr std::uint64_t kFirstScanPart = 1000;
+constexpr std::uint64_t kScannerParts = std::uint64_t{1} << 32;  // From scanner to scanner.
 
 void require_holdable(double num_scans) {
   if (num_scans > kMaxScans) throw Error("the run would have more than a million scans");
@@ -48,6 +51,52 @@ std::vector<double> times_of_scans(const RobotPath& path,
   const double turning_s = path.duration_s() * options.speed.turn_rad_per_s;
   require_holdable(path.length_m() / *options.every_m + turning_s / every_rad);
   return sample_times(path, *options.every_m, every_rad);
+}
+
+/// A sweep of one of the scanners.
+struct Sweep {
+  double time_s = 0.0;
+  std::size_t scanner = 0;
+  std::size_t index = 0;  ///< Among the scanner's own.
+};
+
+/// The sweeps of all scanners, in the order of time.
+std::vector<Sweep> sweeps_of(const std::vector<double>& times_s,
+                             const SimulateOptions& options,
+                             double sweep_s) {
+  const std::size_t num_scanners = std::max<std::size_t>(1, options.T_base_sensor.size());
+  require_holdable(static_cast<double>(times_s.size() * num_scanners));
+  const double turn_s =
+      options.every_m ? sweep_s : 1.0 / (options.scans_per_s * static_cast<double>(num_scanners));
+  std::vector<Sweep> sweeps;
+  for (std::size_t scanner = 0; scanner < num_scanners; ++scanner) {
+    const double late_s = static_cast<double>(scanner) * turn_s;
+    for (std::size_t i = 0; i < times_s.size(); ++i) {
+      sweeps.push_back({times_s[i] + late_s, scanner, i});
+    }
+  }
+  std::stable_sort(sweeps.begin(), sweeps.end(), [](const Sweep& a, const Sweep& b) {
+    return std::tie(a.time_s, a.scanner) < std::tie(b.time_s, b.scanner);
+  });
+  return sweeps;
+}
+
+/// A separate seed: a scan does not depend on how many came before.
+Random random_of(const Sweep& sweep, std::uint64_t seed) {
+  return Random(sub_seed(seed, kFirstScanPart + sweep.index + sweep.scanner * kScannerParts));
+}
+
+/// Where a scanner is mounted, truly and as the log says.
+struct SimulatedMounting {
+  Pose2 T_base_true;
+  Pose2 T_base_stated;
+};
+
+SimulatedMounting mounting_of(std::size_t scanner, const SimulateOptions& options) {
+  if (options.T_base_sensor.empty()) return {};
+  const Pose2& stated = options.T_base_sensor[scanner];
+  const bool is_last = scanner + 1 == options.T_base_sensor.size();
+  return {is_last ? stated * options.T_stated_true : stated, stated};
 }
 
 double whole_microseconds(double time_s) { return std::round(time_s * 1e6) / 1e6; }
@@ -78,7 +127,8 @@ void append(SimulatedRun& run, const SimulatedScan& simulated, const Pose2& T_od
 SimulatedRun run_simulation(const Building& world, const SimulateOptions& options) {
   const ScannerModel scanner = scanner_from(options);
   const RobotPath path(world.route_m, options.speed);
-  const std::vector<double> times_s = times_of_scans(path, options, scanner.sweep_s);
+  const std::vector<Sweep> sweeps =
+      sweeps_of(times_of_scans(path, options, scanner.sweep_s), options, scanner.sweep_s);
   const RayCaster caster(world.plan);
   if (!options.plan_path.empty()) require_free_route(caster, world.route_m);
   OdometryModel odometry(options.has_drift ? OdometryParams{} : without_drift(),
@@ -87,16 +137,23 @@ SimulatedRun run_simulation(const Building& world, const SimulateOptions& option
   run.duration_s = path.duration_s();
   run.length_m = path.length_m();
   ProgressBar progress("simulating");
-  for (std::size_t i = 0; i < times_s.size(); ++i) {
-    // A separate seed: a scan does not depend on how many came before.
-    Random random(sub_seed(options.seed, kFirstScanPart + i));
-    const SimulatedScan simulated =
-        simulate_scan(caster, world.people, scanner, path, whole_microseconds(times_s[i]), random);
+  for (std::size_t i = 0; i < sweeps.size(); ++i) {
+    Random random = random_of(sweeps[i], options.seed);
+    const SimulatedMounting mounting = mounting_of(sweeps[i].scanner, options);
+    SimulatedScan simulated = simulate_scan(caster,
+                                            world.people,
+                                            scanner,
+                                            path,
+                                            whole_microseconds(sweeps[i].time_s),
+                                            random,
+                                            mounting.T_base_true);
+    simulated.scan.scanner = static_cast<std::uint32_t>(sweeps[i].scanner);
+    simulated.scan.T_base_sensor = mounting.T_base_stated;
     append(run, simulated, odometry.move_to(simulated.T_map_base));
     if (i == 0) run.num_beams = simulated.scan.num_beams();
-    progress.advance(static_cast<double>(i + 1) / static_cast<double>(times_s.size()));
+    progress.advance(static_cast<double>(i + 1) / static_cast<double>(sweeps.size()));
   }
-  run.clutter_share /= static_cast<double>(times_s.size());
+  run.clutter_share /= static_cast<double>(sweeps.size());
   return run;
 }
 

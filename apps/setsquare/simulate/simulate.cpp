@@ -65,17 +65,21 @@ void add_simulate(CLI::App& application) {
   const auto options = std::make_shared<SimulateOptions>();
   add_simulate_options(*simulate_command, *options);
   simulate_command->footer(
-      "Writes scans.clf (CARMEN: ROBOTLASER1, and TRUEPOS before each), truth.tum (the robot's "
+      "Writes scans.clf (CARMEN: ROBOTLASER1, 2 ..., and TRUEPOS before each), truth.tum (the "
+      "robot's "
       "true\n"
       "pose at each scan, in the middle of the sweep) and plan.svg (the building and the way).\n"
       "The same options give the same files; all of them come at the end, or none.\n"
       "In an SVG plan the map's x is the drawing's x and the map's y its y turned up (-y), times\n"
       "--plan-scale; a class or data-material of wall, door, glass, pillar, furniture or clutter\n"
-      "says what a shape or a group is made of.\n"
+      "says what a shape or a group is made of. At most 16 MB and 500 000 lines of SVG, 100 "
+      "million\n"
+      "pixels of a map; the route must lie inside the plan.\n"
       "Examples:\n"
       "  setsquare simulate --building office --seed 7 -o sim\n"
       "  setsquare simulate --building wings --scanner low-cost-360 --no-people -o sim\n"
       "  setsquare simulate --building hallway --every 0.4 -o sim\n"
+      "  setsquare simulate --mounting 0.25,0.2,45 --mounting -0.25,-0.2,-135 -o sim\n"
       "  setsquare simulate --plan flat.svg --plan-scale 0.01 -o sim\n"
       "  setsquare simulate --plan map.yaml --route \"1,1 4,1 4,3\" -o sim");
   simulate_command->callback([options] { simulate(*options); });

@@ -33,6 +33,8 @@ struct SimulateOptions {
   std::string scanner = "utm-30lx";
   std::optional<double> field_of_view_deg;
   std::optional<std::size_t> num_beams;
+  std::vector<Pose2> T_base_sensor;  ///< Of each scanner, as the log says; none: one at the base.
+  Pose2 T_stated_true;               ///< The last one's true mounting, seen from the stated one.
   RobotSpeed speed;
   double scans_per_s = 10.0;
   std::optional<double> every_m;  ///< Instead of a rate: a scan after this way or every_deg.
@@ -61,7 +63,7 @@ void require_free_route(const RayCaster& caster, const std::vector<Eigen::Vector
 
 /// A run through a world.
 struct SimulatedRun {
-  std::string log;             ///< CARMEN: a TRUEPOS before each ROBOTLASER1.
+  std::string log;             ///< CARMEN: a TRUEPOS before each ROBOTLASERn.
   Trajectory truth;            ///< Of the base, one pose per scan, at the scan's stamp.
   Trajectory odometry;         ///< What the wheels say, likewise.
   double clutter_share = 0.0;  ///< Mean over the scans: furniture, clutter, people.
@@ -70,7 +72,8 @@ struct SimulatedRun {
   double length_m = 0.0;
 };
 
-/// Drives the route of the world and scans; shows how far it is. Stamps count from the start, in
+/// Drives the route of the world and scans; shows how far it is. Several scanners take turns: at a
+/// rate, evenly over its period, else one sweep after the other. Stamps count from the start, in
 /// whole microseconds. Throws ParameterError, Error (more than a million scans, a route through a
 /// wall of a plan, a rate that the scanner cannot hold).
 [[nodiscard]] SimulatedRun run_simulation(const Building& world, const SimulateOptions& options);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <Eigen/Geometry>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -22,8 +24,8 @@ namespace setsquare::app {
 namespace {
 
 std::string text_of(const std::string& path) {
-  constexpr std::size_t kMaxBytes = std::size_t{1} << 28;
-  const auto source = open_file_source(path);
+  constexpr std::size_t kMaxBytes = std::size_t{1} << 25;
+  const auto source = open_regular_file_source(path);
   std::string text;
   std::vector<char> piece(std::size_t{1} << 16);
   while (const std::size_t num_bytes = source->read(piece)) {
@@ -53,9 +55,38 @@ bool is_map_yaml(const std::string& path) {
   return extension == ".yaml" || extension == ".yml";
 }
 
+/// Throws Error where a corner of the route lies outside the map's image or in an occupied cell.
+void require_free_corners(const OccupancyGrid& grid, const std::vector<Eigen::Vector2d>& route_m) {
+  const Pose2 T_grid_map = grid.T_map_grid().inverse();
+  for (const Eigen::Vector2d& corner_m : route_m) {
+    const Eigen::Vector2d cell = (T_grid_map * corner_m) / grid.resolution_m();
+    const bool is_inside =
+        cell.minCoeff() >= 0.0 && cell.x() < grid.num_columns() && cell.y() < grid.num_rows();
+    const auto place = fmt::format("{:.2f},{:.2f}", corner_m.x(), corner_m.y());
+    if (!is_inside) throw Error("the route leaves the map at " + place);
+    const CellIndex index{static_cast<std::int32_t>(cell.x()), static_cast<std::int32_t>(cell.y())};
+    if (grid.state(index) == CellState::kOccupied) {
+      throw Error("the route stands in a wall at " + place);
+    }
+  }
+}
+
+/// Throws Error where a corner of the route lies outside all that is drawn.
+void require_inside(const FloorPlan& plan, const std::vector<Eigen::Vector2d>& route_m) {
+  Eigen::AlignedBox2d drawn;
+  for (const PlanSegment& segment : plan.segments)
+    drawn.extend(segment.start_m).extend(segment.end_m);
+  for (const Eigen::Vector2d& corner_m : route_m) {
+    if (drawn.contains(corner_m)) continue;
+    throw Error(
+        fmt::format("the route leaves the plan at {:.2f},{:.2f}", corner_m.x(), corner_m.y()));
+  }
+}
+
 Building world_from_plan(const SimulateOptions& options) {
   const std::string& path = options.plan_path;
   Building world;
+  std::optional<OccupancyGrid> grid;
   if (std::filesystem::path(path).extension() == ".svg") {
     SvgPlanParams params;
     params.m_per_unit = options.m_per_unit;
@@ -63,13 +94,16 @@ Building world_from_plan(const SimulateOptions& options) {
     world.plan = std::move(svg.plan);
     world.route_m = std::move(svg.route_m);
   } else if (is_map_yaml(path)) {
-    world.plan = plan_from_grid(read_map_pgm_yaml(path));
+    grid = read_map_pgm_yaml(path);
+    world.plan = plan_from_grid(*grid);
     if (world.plan.segments.empty()) throw FormatError(path, "", "not one occupied cell");
   } else {
     throw FileError(path, "a plan's name must end in .svg, .yaml or .yml");
   }
   if (!options.route.empty()) world.route_m = route_from_text(options.route);
   if (world.route_m.empty()) throw FileError(path, "no route: give --route \"x,y x,y ...\"");
+  if (grid) require_free_corners(*grid, world.route_m);
+  require_inside(world.plan, world.route_m);
   return world;
 }
 
