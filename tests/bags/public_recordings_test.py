@@ -1,0 +1,77 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+"""Recordings that others published: public_recordings_test.py SETSQUARE NODE_FOLDER BAGS_FOLDER
+
+Of every recording in the folder `setsquare convert` must give the scans that an independent reader
+finds, with the same stamps, and odometry that agrees. The environment's SETSQUARE_BAGS_DIR names
+another folder than the argument. Skips where it is absent.
+"""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import comparison
+import independent_readers
+
+# Recordings whose messages contradict themselves in angles, so that a reader must choose.
+ODD_ANGLES = ("own-scanner-bad-odometry.bag",)
+# Recordings whose odometry is refused, or stated by tf alone.
+ODD_ODOMETRY = ("own-scanner-bad-odometry.bag",)
+# Recordings that @foxglove/rosbag cannot read: the index is cut off.
+UNREADABLE = ("truncated-no-laser.bag",)
+SUFFIXES = (".bag", ".db3", ".mcap", ".mcap.zstd")
+
+
+class PublicRecordingsTest(unittest.TestCase):
+    """Class attributes `setsquare`, `readers`, `bags` and `folder` are set by main()."""
+
+    def convert(self, path):
+        output = os.path.join(self.folder, "out.jsonl")
+        command = [self.setsquare, "convert", "--sensor", "all", path, output]
+        ended = subprocess.run(command, capture_output=True, text=True, check=False)
+        if ended.returncode != 0:
+            return None, ended.stderr
+        records = comparison.records_in(output)
+        os.remove(output)
+        return records, ""
+
+    def test_scans_and_odometry_are_those_of_an_independent_reader(self):
+        names = sorted(name for name in os.listdir(self.bags) if name.endswith(SUFFIXES))
+        self.assertTrue(names)
+        for name in names:
+            if name in UNREADABLE:
+                continue
+            with self.subTest(recording=name):
+                path = os.path.join(self.bags, name)
+                lines = self.readers.lines_of(path)
+                records, error = self.convert(path)
+                if not any(line["kind"] == "scan" for line in lines):
+                    self.assertIsNone(records, "scans where an independent reader finds none")
+                    self.assertIn(name, error)
+                    continue
+                self.assertIsNotNone(records, error)
+                comparison.compare_scans(records, lines, has_odd_angles=name in ODD_ANGLES)
+                has_odometry = any(line["kind"] == "odometry" for line in lines)
+                if has_odometry and name not in ODD_ODOMETRY:
+                    self.assertGreater(comparison.compare_odometry(records, lines), 0)
+
+
+def main():
+    PublicRecordingsTest.setsquare, node_folder, bags = (os.path.abspath(path) for path in sys.argv[1:])
+    bags = os.environ.get("SETSQUARE_BAGS_DIR", bags)
+    try:
+        if not os.path.isdir(bags):
+            raise independent_readers.Missing(f"no folder {bags} (SETSQUARE_BAGS_DIR)")
+        PublicRecordingsTest.readers = independent_readers.Readers(node_folder)
+    except independent_readers.Missing as missing:
+        print(f"skipped: {missing}")
+        sys.exit(independent_readers.SKIPPED)
+    PublicRecordingsTest.bags = bags
+    with tempfile.TemporaryDirectory() as folder:
+        PublicRecordingsTest.folder = folder
+        unittest.main(argv=sys.argv[:1], verbosity=2)
+
+
+main()
