@@ -50,5 +50,4 @@ TEST(Text, WhatIsNoUtf8BecomesTheReplacementCharacter) {
   EXPECT_EQ(escape_xml("\xc2\x85\x7f\t"), mark + mark + mark + mark);    // controls
 }
 
-
 }  // namespace setsquare::text_test
