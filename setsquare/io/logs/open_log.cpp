@@ -48,7 +48,8 @@ std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
   if (auto recording = recording_in(input, name)) {
     return std::make_unique<BagLog>(std::move(recording), options);
   }
-  if (is_mrpt_rawlog(beginning)) return std::make_unique<MrptRawlog>(std::move(input), options);
+  // Looked at again: what is asked of the input may have moved its bytes.
+  if (is_mrpt_rawlog(input->available())) return std::make_unique<MrptRawlog>(std::move(input), options);
   if (auto stream = open_text_stream(input, name, options)) return stream;
   throw FormatError(
       name,
