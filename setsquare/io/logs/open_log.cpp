@@ -49,7 +49,8 @@ std::unique_ptr<RecordStream> make_stream(std::unique_ptr<InputBuffer> input,
     return std::make_unique<BagLog>(std::move(recording), options);
   }
   // Looked at again: what is asked of the input may have moved its bytes.
-  if (is_mrpt_rawlog(input->available())) return std::make_unique<MrptRawlog>(std::move(input), options);
+  if (is_mrpt_rawlog(input->available()))
+    return std::make_unique<MrptRawlog>(std::move(input), options);
   if (auto stream = open_text_stream(input, name, options)) return stream;
   throw FormatError(
       name,
