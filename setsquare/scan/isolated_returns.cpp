@@ -30,6 +30,7 @@ std::size_t num_isolated_returns(const Scan& scan) {
 std::optional<Scan> without_isolated_returns(const Scan& scan) {
   constexpr std::size_t kLeast = 8;
   constexpr std::size_t kBeamsPerThing = 100;
+  if (std::abs(scan.bearing_step_rad) >= kFineStep_rad) return std::nullopt;
   const std::size_t num_isolated = num_isolated_returns(scan);
   if (num_isolated < kLeast || kBeamsPerThing * num_isolated < scan.num_beams()) {
     return std::nullopt;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/scan/scan.hpp"
 
 namespace setsquare {
@@ -17,9 +18,14 @@ namespace setsquare {
 /// How many of a scan's returns stand alone.
 [[nodiscard]] std::size_t num_isolated_returns(const Scan& scan);
 
-/// The scan with its isolated returns made invalid, where there are too many for things that are
-/// there (1 % of the beams, and eight); nothing where the scan may stay as it is. A return that
-/// nothing stands beside is no wall, and that others see through it contradicts nothing.
+/// Beams closer together than this meet the leg of a chair twice wherever a return of it would
+/// count as isolated: those of a finer scanner are not things.
+inline constexpr double kFineStep_rad = rad_from_deg(0.4);
+
+/// The scan of a fine scanner with its isolated returns made invalid, where there are many (1 % of
+/// the beams, and eight); nothing where the scan may stay as it is. A return that nothing stands
+/// beside is no wall, and that others see through it contradicts nothing. Coarser scanners see legs
+/// of chairs so, and are left alone.
 [[nodiscard]] std::optional<Scan> without_isolated_returns(const Scan& scan);
 
 }  // namespace setsquare

@@ -24,7 +24,7 @@ enum class FindingKind {
   kStampUnit,            ///< Stamps in milliseconds or finer.
   kStampsBackward,       ///< Stamps before their predecessor's.
   kStampsRepeated,       ///< Stamps equal to their predecessor's.
-  kOdometryConstant,     ///< Poses that never change while the scans move.
+  kOdometryConstant,     ///< Poses that rarely or never change while the scans move.
   kOdometryJumps,        ///< Faster than any robot.
   kOdometrySpeed,        ///< Poses that move against the reported speed.
   kRemark,               ///< What the reader remarked on the whole log.

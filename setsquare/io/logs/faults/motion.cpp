@@ -97,21 +97,28 @@ std::optional<LogFinding> check_scans_stand(const CheckedLaser& laser) {
 }
 
 std::optional<LogFinding> check_odometry_constant(const CheckedLaser& laser) {
-  constexpr double kLeastMoved = 0.1;
+  constexpr double kLeastMovedOfAll = 0.1;
+  constexpr double kLeastMoved = 0.5;
+  constexpr double kLeastAtRest = 0.5;
+  constexpr std::uint64_t kLeastCompared = 3;
   const OdometrySurvey& odometry = laser.odometry;
   const MotionSurvey& motion = laser.sensor.motion;
-  const bool never_moves = odometry.num_poses > 1 && odometry.num_still + 1 == odometry.num_poses;
-  if (!never_moves || motion.num_at_rest() == 0) return std::nullopt;
-  const double share =
+  if (odometry.num_poses < 2 || motion.num_at_rest() == 0) return std::nullopt;
+  const double at_rest =
+      static_cast<double>(odometry.num_still) / static_cast<double>(odometry.num_poses - 1);
+  const double moved =
       static_cast<double>(motion.num_moved_at_rest()) / static_cast<double>(motion.num_at_rest());
-  if (share < kLeastMoved) return std::nullopt;
+  const bool never_moves = at_rest == 1.0 && moved >= kLeastMovedOfAll;
+  const bool rarely_moves =
+      at_rest >= kLeastAtRest && moved >= kLeastMoved && motion.num_at_rest() >= kLeastCompared;
+  if (!never_moves && !rarely_moves) return std::nullopt;
   return LogFinding{
       .kind = FindingKind::kOdometryConstant,
-      .sentence = fmt::format("{}: all {} odometry poses are the same while the scans move: no "
-                              "odometry",
+      .sentence = fmt::format("{}: {} of the odometry poses are the same as the one before while "
+                              "the scans move: no odometry",
                               laser.name,
-                              odometry.num_poses),
-      .share = 1.0,
+                              percent(at_rest)),
+      .share = at_rest,
       .option = "--no-odometry"};
 }
 

@@ -4,6 +4,7 @@
 
 #include "setsquare/io/logs/faults/checks.hpp"
 #include "setsquare/scan/housing.hpp"
+#include "setsquare/scan/isolated_returns.hpp"
 
 namespace setsquare {
 namespace {
@@ -73,12 +74,15 @@ std::optional<LogFinding> check_isolated_returns(const CheckedLaser& laser) {
   constexpr double kLeastShare = 0.01;
   const double share = share_of_ranges(laser.sensor, laser.sensor.num_isolated);
   if (share < kLeastShare) return std::nullopt;
+  const bool is_fine = laser.sensor.bearing_step_rad.high < kFineStep_rad;
   return LogFinding{
       .kind = FindingKind::kIsolatedReturns,
-      .sentence = fmt::format("{}: {} of the ranges stand alone in front of all around them: sun, "
-                              "dust or drops? They are left out where a scan has many",
-                              laser.name,
-                              percent(share)),
+      .sentence = fmt::format(
+          "{}: {} of the ranges stand alone in front of all around them: sun, "
+          "dust or drops? {}",
+          laser.name,
+          percent(share),
+          is_fine ? "They are left out where a scan has many" : "They may keep loops from closing"),
       .share = share};
 }
 
