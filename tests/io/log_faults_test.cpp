@@ -156,10 +156,9 @@ TEST(LogFaults, MirroredScans) {
   expect_only(faults_of(spoilt(mirror)), FindingKind::kMirrored, "--mirror-scans");
 }
 
-// A whole turn or three quarters, a little more or fewer beams each time, read as half a turn. (240
-// degrees are not told from 270 by these votes.)
+// A whole turn or less, a little more or fewer beams each time, read as half a turn.
 TEST(LogFaults, AWiderFieldOfViewThanAssumed) {
-  for (const double field_deg : {270.0, 360.0}) {
+  for (const double field_deg : {240.0, 270.0, 360.0}) {
     const Fan fan = {.num_beams = 361,
                      .first_bearing_rad = -0.5 * rad_from_deg(field_deg),
                      .bearing_step_rad = rad_from_deg(field_deg) / 360.0};

@@ -37,21 +37,23 @@ std::optional<LogFinding> check_field_of_view(const CheckedLaser& laser) {
                                                      {ScanReading::kFieldOf270, 270},
                                                      {ScanReading::kFieldOf360, 360}}};
   if (!laser.sensor.has_assumed_bearings) return std::nullopt;
-  for (const Candidate& candidate : kCandidates) {
-    const double share = share_of_votes(laser.sensor.motion, candidate.reading);
-    if (share < kClearMajority) continue;
-    return LogFinding{
-        .kind = FindingKind::kFieldOfView,
-        .sentence = fmt::format("{}: the log states no angles; 180 degrees are assumed, and {} of "
-                                "{} comparisons with the odometry fit {} degrees",
-                                laser.name,
-                                percent(share),
-                                laser.sensor.motion.num_decided(),
-                                candidate.degrees),
-        .share = share,
-        .option = fmt::format("--field-of-view {}", candidate.degrees)};
-  }
-  return std::nullopt;
+  const MotionSurvey& motion = laser.sensor.motion;
+  double share = 0.0;
+  for (const Candidate& candidate : kCandidates) share += share_of_votes(motion, candidate.reading);
+  if (share < kClearMajority) return std::nullopt;
+  const auto likeliest = std::ranges::max_element(kCandidates, {}, [&](const Candidate& candidate) {
+    return motion.num_votes(candidate.reading);
+  });
+  return LogFinding{
+      .kind = FindingKind::kFieldOfView,
+      .sentence = fmt::format("{}: the log states no angles; 180 degrees are assumed, and {} of {} "
+                              "comparisons with the odometry fit more, most of them {} degrees",
+                              laser.name,
+                              percent(share),
+                              motion.num_decided(),
+                              likeliest->degrees),
+      .share = share,
+      .option = fmt::format("--field-of-view {}", likeliest->degrees)};
 }
 
 std::optional<LogFinding> check_mirrored(const CheckedLaser& laser) {

@@ -34,6 +34,15 @@ double bearing_factor(ScanReading reading) {
   return 1.0;
 }
 
+/// Fields of view differ less from each other than from anything else: they are no rivals.
+bool are_rivals(ScanReading a, ScanReading b) {
+  const auto is_field = [](ScanReading reading) {
+    return reading == ScanReading::kFieldOf240 || reading == ScanReading::kFieldOf270 ||
+           reading == ScanReading::kFieldOf360;
+  };
+  return !(is_field(a) && is_field(b));
+}
+
 bool is_near(double range_m, double expected_m) {
   constexpr double kTolerance_m = 0.1;
   constexpr double kToleranceRatio = 0.03;
@@ -134,21 +143,20 @@ void MotionSurvey::compare(const Scan& scan, const Pose2& T_before_after) {
   constexpr double kLeastExplained = 0.5;
   constexpr double kClearMargin = 0.15;
   ++num_compared_;
-  double best = 0.0;
-  double second = 0.0;
-  std::size_t winner = 0;
+  std::array<double, kNumScanReadings> shares{};
   for (std::size_t i = 0; i < kNumScanReadings; ++i) {
     const auto reading = static_cast<ScanReading>(i);
     if (!is_possible(reading, scan)) continue;
     const Pose2 T = reading == ScanReading::kNotMoved ? Pose2{} : T_before_after;
-    const double share =
-        explained_share(reference_->scan, scan, T, bearing_factor(reading)).value_or(0.0);
-    second = std::max(second, std::min(best, share));
-    if (share <= best) continue;
-    best = share;
-    winner = i;
+    shares[i] = explained_share(reference_->scan, scan, T, bearing_factor(reading)).value_or(0.0);
   }
-  if (best >= kLeastExplained && best - second >= kClearMargin) ++num_votes_[winner];
+  const auto best = static_cast<std::size_t>(std::ranges::max_element(shares) - shares.begin());
+  double rival = 0.0;
+  for (std::size_t i = 0; i < kNumScanReadings; ++i) {
+    const bool is_rival = are_rivals(static_cast<ScanReading>(i), static_cast<ScanReading>(best));
+    if (i != best && is_rival) rival = std::max(rival, shares[i]);
+  }
+  if (shares[best] >= kLeastExplained && shares[best] - rival >= kClearMargin) ++num_votes_[best];
 }
 
 void MotionSurvey::compare_at_rest(const Scan& scan) {
