@@ -79,7 +79,7 @@ def topic_of_sensor(sensor, scans):
 
 
 def compare_scans(records, lines, has_odd_angles=False):
-    """Every scan of every topic, in the order of recording."""
+    """Every scan of every topic, by stamp: some readers sort by the time of recording."""
     scans = [line for line in lines if line["kind"] == "scan"]
     by_topic = {}
     for record in records:
@@ -90,25 +90,65 @@ def compare_scans(records, lines, has_odd_angles=False):
     for topic, written in by_topic.items():
         expected = [line for line in scans if line["topic"] == topic]
         require(len(written) == len(expected), f"{len(written)} scans of {topic}, not {len(expected)}")
+        written.sort(key=stamp_ns)
+        expected.sort(key=lambda line: int(line["stamp_ns"]))
         for record, line in zip(written, expected):
             compare_scan(record, line, has_odd_angles)
+
+
+def compare_order(records):
+    """The stamps of each topic's records ascend."""
+    last = {}
+    for record in records:
+        stamp = stamp_ns(record)
+        require(last.get(record["sensor"], stamp) <= stamp, f"record at {record['stamp']} too late")
+        last[record["sensor"]] = stamp
 
 
 def distance(left, right):
     return math.hypot(left[0] - right[0], left[1] - right[1]) + angle_between(left[2], right[2])
 
 
+def pose_of(line):
+    return (line["x"], line["y"], line["yaw"])
+
+
+def odometry_lines(records, lines):
+    """The messages that state odometry: not those of a topic that states the truth, but the
+    transforms between the same frames."""
+    truth = {record["sensor"] for record in records if record.get("true_pose") is not None}
+    messages = [line for line in lines if line["kind"] == "odometry" and line["topic"] not in truth]
+    frames = {(line["frame"], line["child_frame"]) for line in messages}
+    return messages + [line for line in lines if line["kind"] == "transform"
+                       and (line["frame"], line["child_frame"]) in frames]
+
+
+def compare_stated_poses(records, lines):
+    """Every pose that is no scan's is that of a message of its topic at the same stamp."""
+    stated = {}
+    for line in lines:
+        if line["kind"] != "scan":
+            stated.setdefault((line["topic"], int(line["stamp_ns"])), []).append(pose_of(line))
+    for record in records:
+        pose = record.get("true_pose") or record.get("odometry")
+        if "ranges" in record or pose is None:
+            continue
+        poses = stated.get((record["sensor"], stamp_ns(record)), [])
+        pose = [float(value) for value in pose]
+        require(any(distance(pose, one) < POSE_TOLERANCE for one in poses),
+                f"pose of {record['sensor']} at {record['stamp']}: {pose}, not {poses}")
+
+
 def compare_odometry(records, lines):
-    """Every pose by odometry is that of a message at the same stamp, or lies between its
+    """Every scan's pose by odometry is that of a message at the same stamp, or lies between its
     neighbours. Returns how many scans have one."""
-    messages = sorted((int(line["stamp_ns"]), (line["x"], line["y"], line["yaw"]))
-                      for line in lines if line["kind"] == "odometry")
+    messages = sorted((int(line["stamp_ns"]), pose_of(line)) for line in odometry_lines(records, lines))
     stamps = [stamp for stamp, _ in messages]
     num_scans = 0
     for record in records:
-        if record.get("odometry") is None:
+        if "ranges" not in record or record.get("odometry") is None:
             continue
-        num_scans += "ranges" in record
+        num_scans += 1
         pose = [float(value) for value in record["odometry"]]
         stamp = stamp_ns(record)
         after = min(bisect.bisect_left(stamps, stamp), len(stamps) - 1)

@@ -39,7 +39,9 @@ class ComparisonTest(unittest.TestCase):
         self.scans = [record for record in self.records if "ranges" in record]
 
     def compare(self, records):
+        comparison.compare_order(records)
         comparison.compare_scans(records, self.lines)
+        comparison.compare_stated_poses(records, self.lines)
         comparison.compare_odometry(records, self.lines)
         comparison.compare_mounting(records, made_recording.MOUNTING)
 
@@ -48,8 +50,8 @@ class ComparisonTest(unittest.TestCase):
         self.assertEqual(comparison.compare_odometry(self.scans, self.lines), len(self.scans))
 
     def test_the_name_of_a_frame_means_its_topic(self):
-        for record in self.records:
-            record["sensor"] = "laser"
+        for scan in self.scans:
+            scan["sensor"] = "laser"
         self.compare(self.records)
 
     def test_odometry_between_two_messages_may_be_anywhere_between(self):
@@ -79,6 +81,16 @@ class ComparisonTest(unittest.TestCase):
                 apply([record for record in records if "ranges" in record][7])
                 with self.assertRaises(comparison.Difference):
                     self.compare(records)
+
+    def test_a_pose_between_scans_that_differs_is_seen(self):
+        pose = next(record for record in self.records if "ranges" not in record)
+        pose["odometry"] = [pose["odometry"][0], pose["odometry"][1] + 1e-6, pose["odometry"][2]]
+        with self.assertRaises(comparison.Difference):
+            self.compare(self.records)
+
+    def test_another_order_is_seen(self):
+        with self.assertRaises(comparison.Difference):
+            self.compare(self.records[::-1])
 
     def test_a_scan_more_or_less_is_seen(self):
         with self.assertRaises(comparison.Difference):

@@ -32,7 +32,9 @@ class MadeRecordingsTest(unittest.TestCase):
         lines = made_recording.lines()
         self.assertEqual(len(self.readers.lines_of(path)), len(lines))  # the others read it too
         records = self.convert(path)
+        comparison.compare_order(records)
         comparison.compare_scans(records, lines)
+        comparison.compare_stated_poses(records, lines)
         num_with_odometry = comparison.compare_odometry(records, lines)
         self.assertEqual(num_with_odometry, made_recording.NUM_SCANS)
         comparison.compare_mounting(records, made_recording.MOUNTING)

@@ -17,7 +17,7 @@ import independent_readers
 
 # Recordings whose messages contradict themselves in angles, so that a reader must choose.
 ODD_ANGLES = ("own-scanner-bad-odometry.bag",)
-# Recordings whose odometry is refused, or stated by tf alone.
+# Recordings whose odometry is refused.
 ODD_ODOMETRY = ("own-scanner-bad-odometry.bag",)
 # Recordings that @foxglove/rosbag cannot read: the index is cut off.
 UNREADABLE = ("truncated-no-laser.bag",)
@@ -53,8 +53,10 @@ class PublicRecordingsTest(unittest.TestCase):
                     continue
                 self.assertIsNotNone(records, error)
                 comparison.compare_scans(records, lines, has_odd_angles=name in ODD_ANGLES)
-                has_odometry = any(line["kind"] == "odometry" for line in lines)
-                if has_odometry and name not in ODD_ODOMETRY:
+                if name in ODD_ODOMETRY:
+                    continue
+                comparison.compare_stated_poses(records, lines)
+                if comparison.odometry_lines(records, lines):
                     self.assertGreater(comparison.compare_odometry(records, lines), 0)
 
 
