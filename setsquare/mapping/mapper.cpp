@@ -111,6 +111,8 @@ class Mapper::Parts {
                                       const LoopCloser& closer) const;
   /// Keyframes at which loops are looked for again.
   [[nodiscard]] std::size_t next_closing(std::size_t num_closed) const;
+  /// What the log's sensors turned out to be, whatever is mapped.
+  void add_sensors(Map& map) const;
   /// The graph's poses after registration of all keyframes.
   [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
                                                     const PoseGraph& graph) const;
@@ -237,9 +239,7 @@ Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
 Map Mapper::Parts::finish() const {
   if (track_.size() == 0) {
     Map map = assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
-    map.scanners = scanners_.results();
-    map.gyro = tracker_.gyro();
-    map.num_with_odometry = num_with_odometry_;
+    add_sensors(map);
     return map;
   }
   const Closed closed = track_.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
@@ -262,11 +262,15 @@ Map Mapper::Parts::finish() const {
                           .compared = closed.closer.compared(),
                           .is_joined = closed.joined.is_joined,
                           .graph = graph});
+  add_sensors(map);
+  add_certainty(map);
+  return map;
+}
+
+void Mapper::Parts::add_sensors(Map& map) const {
   map.scanners = scanners_.results();
   map.gyro = tracker_.gyro();
   map.num_with_odometry = num_with_odometry_;
-  add_certainty(map);
-  return map;
 }
 
 std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,

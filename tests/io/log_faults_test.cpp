@@ -47,7 +47,7 @@ std::vector<LogRecord> healthy_records(const Fan& fan = kFan) {
 std::vector<LogFinding> faults_of(const std::vector<LogRecord>& records) {
   LogSurvey survey;
   for (const LogRecord& record : records) survey.add(record);
-  return find_faults(survey, {}, "CARMEN log");
+  return find_faults(survey, {});
 }
 
 using Spoil = std::function<void(LogRecord&, std::mt19937_64&)>;
@@ -228,7 +228,7 @@ TEST(LogFaults, WhatTheReaderRemarkedComesLast) {
   LogProblems problems;
   problems.remarks.push_back("the gzip stream ends early");
   problems.add("line 7", "no numbers");
-  const auto found = find_faults({}, problems, "CARMEN log");
+  const auto found = find_faults({}, problems);
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[0].kind, FindingKind::kRemark);
   EXPECT_THAT(found[1].sentence, HasSubstr("line 7"));

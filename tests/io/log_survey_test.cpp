@@ -76,7 +76,7 @@ TEST(OdometrySurvey, AJumpIsFasterThanAnyRobot) {
   survey.add(odometry(3.0, {10.0, 0.0, 0.0}, 0.0));   // 6 m in a second
   survey.add(odometry(3.01, {10.0, 0.0, 1.0}, 0.0));  // 57 degrees in 10 ms
   EXPECT_EQ(survey.num_jumps, 2U);
-  EXPECT_EQ(survey.first_jump_position, 3U);
+  EXPECT_EQ(survey.first_jump, seconds(3.0));
 }
 
 // Driving backwards, the pose of some logs goes forwards.
@@ -89,7 +89,7 @@ TEST(OdometrySurvey, ASignContradictionNeedsBothSpeedsAndAStep) {
   survey.add(odometry(4.0, {0.25, 0.0, 0.0}, -0.2));  // no step
   survey.add(odometry(5.0, {0.15, 0.0, 0.0}, -0.2));  // backwards, as reported
   EXPECT_EQ(survey.num_sign_contradictions, 1U);
-  EXPECT_EQ(survey.first_contradiction_position, 3U);
+  EXPECT_EQ(survey.first_contradiction, seconds(3.0));
 }
 
 TEST(LogSurvey, KeepsLasersApart) {

@@ -117,6 +117,14 @@ TEST(TransformTree, MissingLinksAreToldByReason) {
   EXPECT_TRUE(tree.look_up("nowhere", "nowhere", at(10.0)).is_found());
 }
 
+TEST(TransformTree, AFrameHangsFromItsParent) {
+  const TransformTree tree = robot();
+  EXPECT_EQ(tree.parent_of("laser"), "base");
+  EXPECT_EQ(tree.parent_of("base"), "odom");
+  EXPECT_EQ(tree.parent_of("odom"), "");
+  EXPECT_EQ(tree.parent_of("nowhere"), "");
+}
+
 TEST(TransformTree, LoopsEnd) {
   TransformTree tree;
   tree.add_static(transform("a", "b"));

@@ -49,7 +49,7 @@ void tell_info(const InfoOptions& options) {
   report.front_sensor = reader->front_sensor();
   report.problems = reader->problems();
   report.recording = reader->overview();
-  report.findings = find_faults(report.survey, report.problems, report.format);
+  report.findings = find_faults(report.survey, report.problems);
   if (options.is_json) {
     print_info_json(report, std::cout);
   } else {

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/record.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/rounded.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 
@@ -15,9 +15,6 @@ namespace setsquare::app {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Six decimals: what the log's own digits can support.
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 /// Texts of the user need not be UTF-8: what is not is replaced.
 std::string text_from(const Json& json) {

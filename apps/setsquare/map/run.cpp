@@ -73,7 +73,7 @@ MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock) 
   }
   run.format = reader.format();
   run.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
-  run.findings = find_faults(survey, run.problems, run.format);
+  run.findings = find_faults(survey, run.problems);
   return run;
 }
 

@@ -130,13 +130,13 @@ void OdometrySurvey::add(const LogRecord& record) {
     moving_s += step_m >= kLeastStep_m ? seconds : 0.0;
     turn_rad += std::abs(T_before_after.theta_rad);
     num_still += previous_->T_odom_base == *record.T_odom_base ? 1 : 0;
-    if (is_jump(T_before_after, seconds) && num_jumps++ == 0) first_jump_position = record.position;
+    if (is_jump(T_before_after, seconds) && num_jumps++ == 0) first_jump = record.stamp;
     const bool has_speeds = previous_->forward_m_per_s && record.forward_m_per_s;
     const bool is_contradiction =
         has_speeds && is_sign_contradiction(
                           T_before_after.x_m, *previous_->forward_m_per_s, *record.forward_m_per_s);
     if (is_contradiction && num_sign_contradictions++ == 0) {
-      first_contradiction_position = record.position;
+      first_contradiction = record.stamp;
     }
   }
   previous_ = Previous{record.stamp, *record.T_odom_base, record.forward_m_per_s};

@@ -97,10 +97,10 @@ struct OdometrySurvey {
   std::uint64_t num_still = 0;  ///< Poses exactly equal to their predecessor's.
   /// Steps of more than 0.5 m or 30 degrees, faster than 5 m/s or 600 degrees per second.
   std::uint64_t num_jumps = 0;
-  std::uint64_t first_jump_position = 0;
+  Timestamp first_jump;
   /// Steps of more than 2 mm forwards while the wheels report backwards, or the reverse.
   std::uint64_t num_sign_contradictions = 0;
-  std::uint64_t first_contradiction_position = 0;
+  Timestamp first_contradiction;
 
   void add(const LogRecord& record);
 

@@ -131,6 +131,11 @@ void TransformTree::insert(Frame& frame, const Sample& sample) {
   }
 }
 
+std::string_view TransformTree::parent_of(std::string_view child) const {
+  const auto found = frames_.find(child);
+  return found == frames_.end() ? std::string_view() : std::string_view(found->second.parent);
+}
+
 std::vector<TransformTree::Link> TransformTree::links() const {
   std::vector<Link> links;
   links.reserve(frames_.size());

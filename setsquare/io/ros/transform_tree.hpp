@@ -88,6 +88,8 @@ class TransformTree {
     bool is_static = true;
     std::uint64_t num_added = 0;
   };
+  /// The frame that a frame hangs from; empty for a frame in no transform, and for a root.
+  [[nodiscard]] std::string_view parent_of(std::string_view child) const;
   /// Every frame that has a parent, by the child's name.
   [[nodiscard]] std::vector<Link> links() const;
 

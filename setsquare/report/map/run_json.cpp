@@ -7,15 +7,13 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/rounded.hpp"
 #include "setsquare/map/map_summary.hpp"
 
 namespace setsquare {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-/// Six decimals: what the log's own digits can support.
-double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 Json json_from(const StatusStretch& stretch, const Map& map) {
   const std::size_t last = stretch.first_scan + stretch.num_scans - 1;

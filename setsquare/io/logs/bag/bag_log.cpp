@@ -295,31 +295,22 @@ ros::TransformLookup BagLog::mounting_of(const std::string& frame, Timestamp sta
   }
   const std::string nearest = base_frame_of(frame);
   ros::TransformLookup found = tree_.look_up(nearest, frame, stamp, kMaxWaitForOdometry_s);
-  if (nearest == frame && !is_one_of(kBaseFrames, frame) && !has_parent(frame)) {
+  if (nearest == frame && !is_one_of(kBaseFrames, frame) && tree_.parent_of(frame).empty()) {
     found.status = ros::LookupStatus::kUnknownFrame;
     found.reason = frame + " is in no transform";
   }
   return found;
 }
 
-bool BagLog::has_parent(const std::string& frame) const {
-  const std::vector<ros::TransformTree::Link> links = tree_.links();
-  return std::any_of(links.begin(), links.end(), [&frame](const ros::TransformTree::Link& link) {
-    return link.child == frame;
-  });
-}
-
 std::string BagLog::base_frame_of(const std::string& frame) const {
-  std::map<std::string, std::string> parents;
-  for (const ros::TransformTree::Link& link : tree_.links()) parents[link.child] = link.parent;
-  std::string topmost = frame;
-  for (std::size_t step = 0; step <= parents.size(); ++step) {
-    if (is_one_of(kBaseFrames, topmost)) return topmost;
-    const auto parent = parents.find(topmost);
-    if (parent == parents.end() || is_one_of(kWorldFrames, parent->second)) break;
-    topmost = parent->second;
+  std::string_view topmost = frame;
+  for (std::size_t step = 0; step <= ros::TransformTree::kMaxFrames; ++step) {
+    if (is_one_of(kBaseFrames, topmost)) break;
+    const std::string_view parent = tree_.parent_of(topmost);
+    if (parent.empty() || is_one_of(kWorldFrames, parent)) break;
+    topmost = parent;
   }
-  return topmost;
+  return std::string(topmost);
 }
 
 Timestamp BagLog::in_odometry_clock(const Pending& pending) const {

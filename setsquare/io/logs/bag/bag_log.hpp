@@ -77,7 +77,6 @@ class BagLog final : public RecordStream {
   [[nodiscard]] bool is_odometry_settled(const Pending& pending) const;
   [[nodiscard]] bool complete(Pending& pending);
   [[nodiscard]] ros::TransformLookup mounting_of(const std::string& frame, Timestamp stamp) const;
-  [[nodiscard]] bool has_parent(const std::string& frame) const;
   [[nodiscard]] std::string base_frame_of(const std::string& frame) const;
   [[nodiscard]] Timestamp in_odometry_clock(const Pending& pending) const;
 

@@ -3,7 +3,6 @@
 // The checks that find_faults makes, one by one: tests call them alone.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -18,9 +17,6 @@ struct CheckedLaser {
   const SensorSurvey& sensor;
   const OdometrySurvey& odometry;
 };
-
-/// "line 12" or "offset 12" for a record's position.
-using PlaceOfRecord = std::function<std::string(std::uint64_t position)>;
 
 /// "3.2 %" of a share; two digits at least.
 [[nodiscard]] std::string percent(double share);
@@ -51,10 +47,8 @@ using PlaceOfRecord = std::function<std::string(std::uint64_t position)>;
 
 // Odometry, with scans or alone (odometry.cpp).
 [[nodiscard]] std::optional<LogFinding> check_odometry_jumps(const std::string& name,
-                                                             const OdometrySurvey& odometry,
-                                                             const PlaceOfRecord& place);
+                                                             const OdometrySurvey& odometry);
 [[nodiscard]] std::optional<LogFinding> check_odometry_speed(const std::string& name,
-                                                             const OdometrySurvey& odometry,
-                                                             const PlaceOfRecord& place);
+                                                             const OdometrySurvey& odometry);
 
 }  // namespace setsquare

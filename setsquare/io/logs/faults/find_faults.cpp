@@ -38,10 +38,9 @@ void keep(std::optional<LogFinding> finding, std::vector<LogFinding>& found) {
 
 void check_odometry(const std::string& name,
                     const OdometrySurvey& odometry,
-                    const PlaceOfRecord& place,
                     std::vector<LogFinding>& found) {
-  keep(check_odometry_jumps(name, odometry, place), found);
-  keep(check_odometry_speed(name, odometry, place), found);
+  keep(check_odometry_jumps(name, odometry), found);
+  keep(check_odometry_speed(name, odometry), found);
 }
 
 }  // namespace
@@ -51,21 +50,16 @@ std::string percent(double share) {
   return fmt::format("{:.{}f} %", percents, percents < 9.95 ? 1 : 0);
 }
 
-std::vector<LogFinding> find_faults(const LogSurvey& survey,
-                                    const LogProblems& problems,
-                                    const std::string& format) {
-  const PlaceOfRecord place = [&](std::uint64_t position) {
-    return fmt::format("{} {}", format == "MRPT rawlog" ? "offset" : "line", position);
-  };
+std::vector<LogFinding> find_faults(const LogSurvey& survey, const LogProblems& problems) {
   std::vector<LogFinding> found;
   for (const auto& [name, sensor] : survey.sensors) {
     const CheckedLaser laser{name, sensor, survey.scan_odometry.at(name)};
     for (const LaserCheck check : kLaserChecks) keep(check(laser), found);
   }
   for (const auto& [name, odometry] : survey.scan_odometry) {
-    check_odometry(name, odometry, place, found);
+    check_odometry(name, odometry, found);
   }
-  check_odometry("odometry records", survey.wheel_odometry, place, found);
+  check_odometry("odometry records", survey.wheel_odometry, found);
   for (const std::string& remark : problems.remarks) {
     found.push_back({.kind = FindingKind::kRemark, .sentence = remark});
   }

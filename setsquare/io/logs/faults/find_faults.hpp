@@ -12,10 +12,9 @@
 namespace setsquare {
 
 /// What is wrong with a log that was read and surveyed: every check on every laser, on the
-/// odometry, then what the reader skipped and remarked. `format` is LogReader::format(): a record's
-/// place is a line or an offset. Empty where nothing was found.
+/// odometry, then what the reader skipped and remarked. Empty
+/// where nothing was found.
 [[nodiscard]] std::vector<LogFinding> find_faults(const LogSurvey& survey,
-                                                  const LogProblems& problems,
-                                                  const std::string& format);
+                                                  const LogProblems& problems);
 
 }  // namespace setsquare
