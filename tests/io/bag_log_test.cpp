@@ -31,6 +31,7 @@ using testing::PoseNear;
 using testing::read_all;
 using testing::ReadLog;
 using ::testing::SizeIs;
+using ::testing::Values;
 using testing::uniform;
 
 constexpr testing::PoseTolerance kTight{.translation_m = 1e-9, .rotation_rad = 1e-9};
@@ -240,12 +241,18 @@ LogRecord decimal_record(std::mt19937_64& generator, double stamp_s) {
   return record;
 }
 
+class PackedBagLog : public ::testing::TestWithParam<ChunkPacking> {};
+
+INSTANTIATE_TEST_SUITE_P(Packings,
+                         PackedBagLog,
+                         Values(ChunkPacking::kNone, ChunkPacking::kLz4, ChunkPacking::kZstd));
+
 // Law: a log of decimal numbers comes back from a bag as it was, although the bag holds float32.
-TEST(BagLog, DecimalsSurviveTheFloatsOfABag) {
+TEST_P(PackedBagLog, DecimalsSurviveTheFloatsOfABag) {
   auto generator = make_generator();
   std::string bytes;
-  const auto writer =
-      make_log_writer(LogFormat::kMcap, [&bytes](std::string_view piece) { bytes += piece; });
+  const auto writer = make_log_writer(
+      LogFormat::kMcap, [&bytes](std::string_view piece) { bytes += piece; }, GetParam());
   std::vector<LogRecord> records;
   for (int i = 0; i < 20; ++i) {
     records.push_back(decimal_record(generator, 1000.0 + 0.1 * i));

@@ -29,6 +29,7 @@ namespace {
 struct ConvertOptions {
   std::vector<std::string> paths;  ///< The logs, then the output.
   std::optional<LogFormat> format;
+  ChunkPacking packing = ChunkPacking::kZstd;
   LogOptions log;
   std::string map_folder;  ///< Results of `setsquare map`, to be recorded; or empty.
 };
@@ -97,8 +98,8 @@ void convert_log(const ConvertOptions& options) {
   if (log_options.sensor.empty()) log_options.sensor = "all";
   const auto reader = open_logs(logs, log_options);
   GrowingOutput output(output_path, logs);
-  const auto writer =
-      make_log_writer(format, [&output](std::string_view bytes) { output.append(bytes); });
+  const auto writer = make_log_writer(
+      format, [&output](std::string_view bytes) { output.append(bytes); }, options.packing);
   const Converted converted = convert(*reader, *writer);
   output.commit();
   std::cerr << fmt::format("{} scans, {} other records written to {}\n",
@@ -136,6 +137,13 @@ void add_convert(CLI::App& application) {
                                                    {"tum", LogFormat::kTum}},
                                                   "Of the output",
                                                   "by the output's name");
+  add_choice<ChunkPacking, ChunkPacking>(
+      *convert_command,
+      "--compression",
+      options->packing,
+      {{"none", ChunkPacking::kNone}, {"lz4", ChunkPacking::kLz4}, {"zstd", ChunkPacking::kZstd}},
+      "Of mcap's chunks",
+      "zstd");
   convert_command
       ->add_option("--map",
                    options->map_folder,

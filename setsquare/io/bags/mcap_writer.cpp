@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/bags/mcap_writer.hpp"
 
+#include <lz4frame.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -65,6 +66,27 @@ void append_per_channel(std::string& bytes, const Numbers& numbers) {
   }
 }
 
+/// As MCAP names it.
+std::string_view name_of(ChunkPacking packing) {
+  switch (packing) {
+    case ChunkPacking::kNone:
+      return "";
+    case ChunkPacking::kLz4:
+      return "lz4";
+    case ChunkPacking::kZstd:
+      return "zstd";
+  }
+  return "";
+}
+
+void pack_lz4(std::string_view bytes, std::string& packed) {
+  packed.resize(LZ4F_compressFrameBound(bytes.size(), nullptr));
+  const std::size_t size =
+      LZ4F_compressFrame(packed.data(), packed.size(), bytes.data(), bytes.size(), nullptr);
+  if (LZ4F_isError(size) != 0U) throw Error(std::string("lz4: ") + LZ4F_getErrorName(size));
+  packed.resize(size);
+}
+
 void pack_zstd(std::string_view bytes, std::string& packed) {
   packed.resize(ZSTD_compressBound(bytes.size()));
   const std::size_t size =
@@ -73,9 +95,22 @@ void pack_zstd(std::string_view bytes, std::string& packed) {
   packed.resize(size);
 }
 
+void pack(ChunkPacking packing, std::string_view bytes, std::string& packed) {
+  switch (packing) {
+    case ChunkPacking::kNone:
+      packed.assign(bytes);
+      return;
+    case ChunkPacking::kLz4:
+      return pack_lz4(bytes, packed);
+    case ChunkPacking::kZstd:
+      return pack_zstd(bytes, packed);
+  }
+}
+
 }  // namespace
 
-McapWriter::McapWriter(Sink sink) : sink_(std::move(sink)) {
+McapWriter::McapWriter(Sink sink, ChunkPacking packing)
+    : sink_(std::move(sink)), packing_(packing) {
   std::string content;
   append_text(content, "ros2");
   append_text(content, "setsquare");
@@ -143,7 +178,7 @@ void McapWriter::write(Channel channel, Timestamp stamp, std::string_view cdr) {
 
 void McapWriter::close_chunk() {
   if (chunk_.empty()) return;
-  pack_zstd(chunk_, packed_);
+  pack(packing_, chunk_, packed_);
   std::string content;
   append_value(content, first_ns_);
   append_value(content, last_ns_);
@@ -151,7 +186,7 @@ void McapWriter::close_chunk() {
   append_value(content,
                static_cast<std::uint32_t>(crc32_z(
                    0, reinterpret_cast<const unsigned char*>(chunk_.data()), chunk_.size())));
-  append_text(content, "zstd");
+  append_text(content, name_of(packing_));
   append_value(content, std::uint64_t{packed_.size()});
   content.append(packed_);
   ChunkEntry entry{first_ns_, last_ns_, offset_, 0, {}, 0, packed_.size(), chunk_.size()};

@@ -13,9 +13,12 @@
 
 namespace setsquare {
 
-/// Writes an MCAP file (mcap.dev, "MCAP Format Specification"): messages in chunks packed with
-/// zstd, each with its index, and a summary at the end, so that viewers open it at once and jump
-/// to any time. Memory is bounded by one chunk and the index of chunks.
+/// How the chunks of an MCAP file are packed.
+enum class ChunkPacking : std::uint8_t { kNone, kLz4, kZstd };
+
+/// Writes an MCAP file (mcap.dev, "MCAP Format Specification"): messages in packed chunks, each
+/// with its index, and a summary at the end, so that viewers open it at once and jump to any time.
+/// Memory is bounded by one chunk and the index of chunks.
 ///
 ///   McapWriter writer([&](std::string_view bytes) { file.write(bytes); });
 ///   const auto scan = writer.add_channel("/scan", "sensor_msgs/msg/LaserScan", definition);
@@ -29,7 +32,7 @@ class McapWriter {
   static constexpr std::size_t kChunkBytes = 1 << 20;
 
   /// Writes the file's beginning. What `sink` throws goes through.
-  explicit McapWriter(Sink sink);
+  explicit McapWriter(Sink sink, ChunkPacking packing = ChunkPacking::kZstd);
 
   /// A topic of CDR messages (ROS 2). `type`: "sensor_msgs/msg/LaserScan"; `definition`: that of
   /// the type and of its parts, as ros2msg. `is_latched`: late readers want its last message, too.
@@ -65,6 +68,7 @@ class McapWriter {
   void finish_summary();
 
   Sink sink_;
+  ChunkPacking packing_;
   std::uint64_t offset_ = 0;
   std::string chunk_;   ///< Records of the open chunk.
   std::string packed_;  ///< Memory that is used again.

@@ -120,7 +120,9 @@ std::optional<LogFormat> log_format_of(std::string_view path) {
   return std::nullopt;
 }
 
-std::unique_ptr<LogWriter> make_log_writer(LogFormat format, LogWriter::Sink sink) {
+std::unique_ptr<LogWriter> make_log_writer(LogFormat format,
+                                           LogWriter::Sink sink,
+                                           ChunkPacking packing) {
   switch (format) {
     case LogFormat::kCarmen:
       return std::make_unique<CarmenLogWriter>(std::move(sink));
@@ -129,7 +131,7 @@ std::unique_ptr<LogWriter> make_log_writer(LogFormat format, LogWriter::Sink sin
     case LogFormat::kJsonLines:
       return std::make_unique<JsonLinesWriter>(std::move(sink));
     case LogFormat::kMcap:
-      return std::make_unique<McapLogWriter>(std::move(sink));
+      return std::make_unique<McapLogWriter>(std::move(sink), packing);
     case LogFormat::kTum:
       break;
   }

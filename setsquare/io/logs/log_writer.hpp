@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "setsquare/io/bags/mcap_writer.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 
 namespace setsquare {
@@ -49,6 +50,8 @@ class LogWriter {
   std::uint64_t num_left_out_ = 0;
 };
 
-[[nodiscard]] std::unique_ptr<LogWriter> make_log_writer(LogFormat format, LogWriter::Sink sink);
+/// `packing` is of kMcap's chunks.
+[[nodiscard]] std::unique_ptr<LogWriter> make_log_writer(
+    LogFormat format, LogWriter::Sink sink, ChunkPacking packing = ChunkPacking::kZstd);
 
 }  // namespace setsquare

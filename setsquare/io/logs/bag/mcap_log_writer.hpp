@@ -21,7 +21,7 @@ namespace setsquare {
 /// numbers that were meant.
 class McapLogWriter final : public LogWriter {
  public:
-  explicit McapLogWriter(Sink sink) : file_(std::move(sink)) {}
+  McapLogWriter(Sink sink, ChunkPacking packing) : file_(std::move(sink), packing) {}
 
   void write(const LogRecord& record) override;
   void finish() override { file_.finish(); }
