@@ -84,10 +84,13 @@ TEST(LogChain, TheFirstLogMustBeThere) {
 /// Of three parts of a drive the second begins with the other scanner, the third has one more.
 TEST(LogChain, AScannerKeepsItsNumberFromLogToLog) {
   const testing::TemporaryFolder folder;
-  const std::vector<std::string> paths = {
-      folder.write("1.jsonl", log_of_scanners({"front", "rear", "front"})),
-      folder.write("2.jsonl", log_of_scanners({"rear", "front", "rear"})),
-      folder.write("3.jsonl", log_of_scanners({"left", "rear", "front"}))};
+  const std::vector<std::vector<std::string>> parts = {
+      {"front", "rear", "front"}, {"rear", "front", "rear"}, {"left", "rear", "front"}};
+  std::vector<std::string> paths;
+  for (const auto& names : parts) {
+    paths.push_back(folder.path() / fmt::format("{}.jsonl", paths.size()));
+    std::ofstream(paths.back()) << log_of_scanners(names);
+  }
   LogOptions options;
   options.sensor = "all";
   const auto reader = open_logs(paths, options);
