@@ -16,7 +16,7 @@ import unittest
 import carmen_lines
 import independent_readers
 
-NUM_SCANS = 700
+NUM_SCANS = 500
 TRAJECTORY_DIGIT = 1e-6  # of the numbers in a trajectory
 
 
