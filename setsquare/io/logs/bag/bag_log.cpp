@@ -86,9 +86,10 @@ bool BagLog::read(LogRecord& record) {
 void BagLog::take(const Message& message) {
   first_log_time_ = std::min(first_log_time_.value_or(message.log_time), message.log_time);
   last_log_time_ = std::max(last_log_time_, message.log_time);
-  const auto [entry, is_new] =
-      readers_.try_emplace(message.topic, source_->topics()[message.topic]);
-  const TopicRole role = entry->second.role;
+  const auto entry = readers_.try_emplace(message.topic, source_->topics()[message.topic]);
+  const bool is_new = entry.second;
+  TopicReader& reader = entry.first->second;
+  const TopicRole role = reader.role;
   if (role == TopicRole::kScan || role == TopicRole::kMultiEchoScan) has_scan_topic_ = true;
   std::visit(
       [&](auto& topic) {
@@ -104,7 +105,7 @@ void BagLog::take(const Message& message) {
           }
         }
       },
-      *entry->second.decoder);
+      *reader.decoder);
 }
 
 void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
