@@ -75,6 +75,10 @@ class Readers:
         messages = lines_in(self.node("write_cdr.mjs", lines=lines))
         sqlite_recording.write_folder(folder, messages)
 
+    def topics_of(self, path):
+        """A line for each topic of an MCAP file, all of whose messages are decoded."""
+        return lines_in(self.node("describe_mcap.mjs", path))
+
     def lines_of(self, path):
         """All that a recording holds; of a folder, that of its SQLite files."""
         if os.path.isdir(path):

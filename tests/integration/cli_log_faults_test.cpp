@@ -162,4 +162,15 @@ TEST(CommandLogFaults, ATruthWithQuaternionsWFirst) {
   EXPECT_LT(Json::parse(mended.out)["rotation_deg"]["max"], 0.01);
 }
 
+/// The output would state as known what was assumed.
+TEST(CommandLogFaults, ConvertTellsThatTheAnglesAreAssumed) {
+  const TemporaryFolder folder;
+  const std::string log =
+      folder.write("scans.clf", "FLASER 3 1.0 2.0 1.5 0 0 0 0 0 0 1.0 host 1.0\n");
+  const std::string output = " '" + (folder.path() / "scans.csv").string() + "'";
+  EXPECT_THAT(run_setsquare("convert " + log + output).err, HasSubstr("states no angles"));
+  EXPECT_THAT(run_setsquare("convert " + log + output + " --field-of-view 240").err,
+              ::testing::Not(HasSubstr("states no angles")));
+}
+
 }  // namespace setsquare::cli_log_faults_test

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +58,9 @@ class Recording {
     file_.write(entry->second, at_s(log_time_s), cdr_.message());
   }
 
-  void add_scan(double stamp_s, const std::string& frame = "laser") {
+  void add_scan(double stamp_s,
+                const std::string& frame = "laser",
+                std::optional<double> log_time_s = {}) {
     ros::LaserScan scan;
     scan.stamp = at_s(stamp_s);
     scan.frame_id = frame;
@@ -66,7 +69,7 @@ class Recording {
     scan.angle_increment_rad = 0.5;
     scan.range_max_m = 30.0;
     scan.ranges_m = {1.0, 2.0, 3.0, 4.0, 5.0};
-    add("/scan", "sensor_msgs/msg/LaserScan", scan, stamp_s);
+    add("/scan", "sensor_msgs/msg/LaserScan", scan, log_time_s.value_or(stamp_s));
   }
 
   void add_place(const std::string& parent,
@@ -82,14 +85,17 @@ class Recording {
     add("/tf_static", "tf2_msgs/msg/TFMessage", ros::TfMessage{{transform}}, log_time_s);
   }
 
-  void add_odometry(const std::string& topic, double stamp_s, const Pose2& pose) {
+  void add_odometry(const std::string& topic,
+                    double stamp_s,
+                    const Pose2& pose,
+                    std::optional<double> log_time_s = {}) {
     ros::Odometry odometry;
     odometry.stamp = at_s(stamp_s);
     odometry.frame_id = "odom";
     odometry.child_frame_id = "base_link";
     odometry.position_m = {pose.x_m, pose.y_m, 0.0};
     odometry.orientation = quaternion_from_yaw(pose.theta_rad);
-    add(topic, "nav_msgs/msg/Odometry", odometry, stamp_s);
+    add(topic, "nav_msgs/msg/Odometry", odometry, log_time_s.value_or(stamp_s));
   }
 
   [[nodiscard]] ReadLog read(const LogOptions& options = {}) {
@@ -198,6 +204,57 @@ TEST(BagLog, OdometryOfAnotherClockIsPairedByTheTimeOfRecording) {
   ASSERT_THAT(log.records, SizeIs(1));
   ASSERT_TRUE(log.records[0].T_odom_base.has_value());
   EXPECT_NEAR(log.records[0].T_odom_base->x_m, 4.5, 1e-6);
+}
+
+/// A drive of 100 s, made into a recording by a program within a tenth of a second.
+class MadeInNoTime : public ::testing::Test {
+ protected:
+  static constexpr int kNumScans = 200;
+
+  void drive() {
+    for (int i = 0; i < kNumScans; ++i) {
+      const double stamp_s = 1000.0 + 0.5 * i;
+      for (int step = 0; step < 20; ++step) {
+        const double x_m = i + 0.05 * step;
+        recording_.add_odometry("/odom", stamp_s + 0.025 * step, {x_m, 0.0, 0.0}, log_time_s());
+      }
+      recording_.add_scan(stamp_s + 0.25, "laser", log_time_s());
+    }
+  }
+  double log_time_s() { return 5e8 + 2e-5 * num_messages_++; }
+
+  Recording recording_;
+
+ private:
+  int num_messages_ = 0;
+};
+
+TEST_F(MadeInNoTime, ScansHaveTheirOdometry) {
+  recording_.add_place("base_link", "laser", {0.5, 0.0, 0.0}, Eigen::Quaterniond::Identity());
+  drive();
+  const ReadLog log = recording_.read();
+  ASSERT_THAT(log.records, SizeIs(kNumScans));
+  for (int i = 0; i < kNumScans; ++i) {
+    const auto& T_odom_base = log.records[static_cast<std::size_t>(i)].T_odom_base;
+    ASSERT_TRUE(T_odom_base.has_value()) << i;
+    EXPECT_NEAR(T_odom_base->x_m, i + 0.5, 1e-6) << i;
+  }
+}
+
+/// The scan waits for a place, but no longer than the odometry is kept.
+TEST_F(MadeInNoTime, ScansOfALaserWithoutAPlaceHaveTheirOdometry) {
+  drive();
+  for (const LogRecord& record : recording_.read().records) {
+    EXPECT_TRUE(record.T_odom_base.has_value()) << record.stamp.seconds();
+  }
+}
+
+TEST(BagLog, TellsThatTheOdometryIsOfAnotherTime) {
+  Recording recording;
+  for (int i = 0; i < 10; ++i) recording.add_odometry("/odom", 100.0 + 0.1 * i, {});
+  for (int i = 0; i < 10; ++i) recording.add_scan(102.0 + 0.1 * i);
+  EXPECT_THAT(recording.read().problems.remarks,
+              Contains(HasSubstr("/odom has no pose near the stamps of 10 of the 10 scans")));
 }
 
 TEST(BagLog, AMessageWithoutAStampHasTheTimeOfRecording) {

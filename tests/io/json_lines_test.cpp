@@ -89,6 +89,20 @@ TEST(JsonLines, TextWithEscapes) {
   EXPECT_EQ(log.records[0].sensor, "a\"\\\xc3\xa4\xf0\x9f\x98\x80\n");
 }
 
+/// Names come from other logs, in whatever encoding.
+TEST(JsonLines, ANameInAnotherEncodingReadsBack) {
+  LogRecord record;
+  record.sensor = std::string("\xe4\x00\xff\\\t\"", 6);
+  record.scan.bearing_step_rad = 0.5;
+  record.scan.max_range_m = 30.0;
+  record.scan.ranges_m = {1.0, 2.0};
+  std::string text;
+  append_json_record(text, record);
+  const auto log = read_all(text);
+  ASSERT_THAT(log.records, SizeIs(1)) << log.error;
+  EXPECT_EQ(log.records[0].sensor, record.sensor);
+}
+
 TEST(JsonLines, DamagedLinesAreCountedWithTheirReason) {
   const std::string good = "{\"stamp\":1,\"angle_min\":0,\"angle_step\":0.1,\"ranges\":[1,2]}\n";
   for (const auto& [line, reason] :

@@ -97,6 +97,16 @@ TEST(MessageDefinition, PartsAreFoundByFullNameByPackageAndHeaderEverywhere) {
   EXPECT_EQ(definition.find("Other", "a/B"), nullptr);
 }
 
+TEST(MessageDefinition, AHeaderOfRosBefore2010IsAHeader) {
+  const std::string line = std::string(80, '=') + "\nMSG: ";
+  const std::string text =
+      "Header header\nfloat32 x\n" + line + "roslib/Header\nuint32 seq\ntime stamp\n";
+  const auto old = parse_message_definition("a/B", text);
+  EXPECT_EQ(old.find("Header", "a/B"), &old.types.at(1));
+  const auto both = parse_message_definition("a/B", text + line + "std_msgs/Header\ntime stamp\n");
+  EXPECT_EQ(both.find("Header", "a/B"), &both.types.at(2));
+}
+
 TEST(MessageDefinition, EveryWellKnownDefinitionIsCompleteInBothForms) {
   for (const char* type : {"sensor_msgs/LaserScan",
                            "sensor_msgs/MultiEchoLaserScan",

@@ -213,6 +213,20 @@ TEST(Rosbag1, AnIndexThatLiesIsNotAsked) {
   EXPECT_TRUE(recording.problems.empty());
 }
 
+/// The recorder of 2010 stated 20 bytes for every entry and wrote 12.
+TEST(Rosbag1, AnIndexWhoseLengthIsOverstatedIsPassed) {
+  constexpr std::uint32_t kNumEntries = 7;
+  const std::string overstated = rosbag_record(
+      0x04,
+      testing::rosbag_field("conn", raw(kScan)) + testing::rosbag_field("count", raw(kNumEntries)),
+      std::string(20 * kNumEntries, '\0'));
+  const std::string index = overstated.substr(0, overstated.size() - 8 * kNumEntries);
+  const std::string bag = rosbag_file(chunks_of("none") + index + rosbag_index(kScan), 3);
+  const ReadRecording recording = read_bag(bag);
+  EXPECT_EQ(recording.messages, messages_of(0, kNumMessages));
+  EXPECT_TRUE(recording.problems.empty());
+}
+
 TEST(Rosbag1, CutAnywhereItGivesWhatStandsBeforeAndSaysSo) {
   const std::vector<ReadMessage> all = messages_of(0, kNumMessages);
   for (const char* compression : {"none", "bz2", "lz4"}) {

@@ -6,22 +6,18 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
-#include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/io/logs/open_log.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare::time_window_test {
 namespace {
 
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
 /// One scan per stamp.
@@ -68,36 +64,6 @@ TEST(TimeWindow, ThinsToARate) {
 TEST(TimeWindow, AnEmptyWindowIsAnError) {
   const LogWindow window{.from_s = 50.0, .to_s = {}, .max_rate_hz = {}};
   EXPECT_THROW(within_window(window, {0.0, 1.0}), FormatError);
-}
-
-TEST(LogChain, ReadsLogsOneAfterTheOther) {
-  const testing::TemporaryFolder folder;
-  const std::string first = folder.path() / "first.clf";
-  const std::string second = folder.path() / "second.clf";
-  std::ofstream(first) << carmen_log({1.0, 2.0});
-  std::ofstream(second) << carmen_log({3.0, 4.0});
-  EXPECT_THAT(stamps_of(*open_logs({first, second})), ElementsAre(1.0, 2.0, 3.0, 4.0));
-  LogOptions options;
-  options.window.from_s = 2.0;
-  EXPECT_THAT(stamps_of(*open_logs({first, second}, options)), ElementsAre(3.0, 4.0));
-}
-
-TEST(LogChain, GoesOnBehindALogThatCannotBeRead) {
-  const testing::TemporaryFolder folder;
-  const std::string first = folder.path() / "first.clf";
-  const std::string broken = folder.path() / "broken.clf";
-  const std::string last = folder.path() / "last.clf";
-  std::ofstream(first) << carmen_log({1.0});
-  std::ofstream(broken) << "nothing that we know\n";
-  std::ofstream(last) << carmen_log({2.0});
-  const auto reader = open_logs({first, broken, last});
-  EXPECT_THAT(stamps_of(*reader), ElementsAre(1.0, 2.0));
-  EXPECT_THAT(reader->problems().remarks, ElementsAre(HasSubstr("broken.clf")));
-  EXPECT_EQ(reader->front_sensor(), "FLASER");
-}
-
-TEST(LogChain, TheFirstLogMustBeThere) {
-  EXPECT_THROW(static_cast<void>(open_logs({"/no/such/log", "/nor/this"})), FileError);
 }
 
 }  // namespace

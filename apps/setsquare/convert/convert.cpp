@@ -39,6 +39,7 @@ struct Converted {
   std::uint64_t num_others = 0;
   std::uint64_t num_refused = 0;  ///< Scans that the format cannot state.
   std::string first_reason;
+  bool has_assumed_bearings = false;  ///< Scans of a log that states no angles.
 };
 
 LogFormat format_of(const ConvertOptions& options, const std::string& output) {
@@ -53,6 +54,7 @@ Converted convert(LogReader& reader, LogWriter& writer) {
   ProgressBar progress("converting");
   while (const LogRecord* record = reader.next()) {
     progress.advance(reader.fraction_read());
+    converted.has_assumed_bearings = converted.has_assumed_bearings || record->has_assumed_bearings;
     try {
       writer.write(*record);
       ++(record->kind == RecordKind::kScan ? converted.num_scans : converted.num_others);
@@ -66,6 +68,13 @@ Converted convert(LogReader& reader, LogWriter& writer) {
 
 std::string name_of(const std::string& output_path) {
   return output_path == "-" ? "standard output" : output_path;
+}
+
+/// The output states the angles that were assumed: nobody can tell any more.
+void tell_assumed_bearings(const Converted& converted, const LogOptions& options) {
+  const bool is_said = options.field_of_view_rad || options.bearing_step_rad;
+  if (!converted.has_assumed_bearings || is_said) return;
+  std::cerr << "the log states no angles: those of 180 degrees are written (--field-of-view)\n";
 }
 
 void convert_map(const ConvertOptions& options, const std::vector<std::string>& logs) {
@@ -114,6 +123,7 @@ void convert_log(const ConvertOptions& options) {
     std::cerr << fmt::format(
         "left out: {} scans, the first since {}\n", converted.num_refused, converted.first_reason);
   }
+  if (format != LogFormat::kTum) tell_assumed_bearings(converted, options.log);
   tell_problems(logs.front(), reader->problems());
 }
 

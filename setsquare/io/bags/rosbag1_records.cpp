@@ -94,6 +94,8 @@ void take_rosbag_field(const RosbagField& field, RosbagHead& head, RosbagFieldsM
     met.compression = true;
   } else if (field.name == "size") {
     assign_value(head.num_bytes_unpacked, met.size, field.value);
+  } else if (field.name == "count") {
+    assign_value(head.num_entries, is_met, field.value);
   } else if (field.name == "index_pos") {
     assign_value(head.index_position, is_met, field.value);
   } else if (field.name == "chunk_count") {
@@ -106,6 +108,15 @@ bool has_needed_rosbag_fields(RosbagOp op, const RosbagFieldsMet& met) {
   if (op == RosbagOp::kConnection) return met.connection && met.topic;
   if (op == RosbagOp::kChunk) return met.compression && met.size;
   return met.op;
+}
+
+/// The recorder of 2010 states 20 bytes for every entry of an index, and writes 12.
+void mend_index_length(RosbagHead& head) {
+  constexpr std::uint64_t kStatedBytes = 20;
+  constexpr std::uint32_t kWrittenBytes = 12;
+  const bool is_overstated =
+      head.op == RosbagOp::kIndex && head.num_data_bytes == kStatedBytes * head.num_entries;
+  if (is_overstated) head.num_data_bytes = kWrittenBytes * head.num_entries;
 }
 
 bool has_possible_rosbag_length(const RosbagHead& head) {
@@ -133,6 +144,7 @@ std::optional<RosbagHead> read_rosbag_head(ByteWindow& bytes, std::size_t offset
       fields, [&](const RosbagField& field) { take_rosbag_field(field, head, met); });
   head.num_head_bytes = num_header_bytes + 2 * kRosbagLengthBytes;
   head.num_data_bytes = cursor.read<std::uint32_t>();
+  mend_index_length(head);
   const bool is_possible = is_read && met.op && has_needed_rosbag_fields(head.op, met) &&
                            has_possible_rosbag_length(head);
   return is_possible ? std::optional(head) : std::nullopt;

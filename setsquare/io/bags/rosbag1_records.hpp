@@ -34,6 +34,7 @@ struct RosbagHead {
   std::string_view topic;                ///< kConnection.
   std::string_view compression;          ///< kChunk: "none", "bz2", "lz4".
   std::uint32_t num_bytes_unpacked = 0;  ///< kChunk.
+  std::uint32_t num_entries = 0;         ///< kIndex.
   std::uint64_t index_position = 0;      ///< kBagHeader: 0 in a bag that was not closed.
   std::uint32_t num_chunks = 0;          ///< kBagHeader.
 

@@ -3,6 +3,8 @@
 #include "setsquare/io/logs/log_chain.hpp"
 
 #include <cassert>
+#include <cstdint>
+#include <map>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
@@ -47,13 +49,24 @@ class LogChain final : public LogReader {
       const LogRecord* record = reader_->next();
       if (front_sensor_.empty()) front_sensor_ = reader_->front_sensor();
       is_any_read_ = is_any_read_ || record != nullptr;
-      return record;
+      return numbered(record);
     } catch (const Error& error) {
       const bool is_last = current_ + 1 == paths_.size();
       if (!is_any_read_ && is_last) throw;
       ended_problems_.remarks.emplace_back(error.what());
       return nullptr;
     }
+  }
+
+  /// Each log numbers its scanners as they come in it; of the run, a name has one number.
+  const LogRecord* numbered(const LogRecord* record) {
+    if (record == nullptr || record->kind != RecordKind::kScan) return record;
+    const auto next_number = static_cast<std::uint32_t>(numbers_.size());
+    const std::uint32_t number = numbers_.try_emplace(record->sensor, next_number).first->second;
+    if (record->scan.scanner == number) return record;
+    renumbered_ = *record;
+    renumbered_.scan.scanner = number;
+    return &renumbered_;
   }
 
   void open_next() {
@@ -92,6 +105,8 @@ class LogChain final : public LogReader {
   std::string front_sensor_;
   std::string format_;
   bool is_any_read_ = false;
+  std::map<std::string, std::uint32_t> numbers_;  ///< Of scanners, by name.
+  LogRecord renumbered_;                          ///< The last record that another number was due.
 };
 
 }  // namespace

@@ -11,7 +11,8 @@
 namespace setsquare {
 
 /// Several logs of one run as one: the records of the first, then those of the second, and so on.
-/// Each is opened when its turn comes, so that many need no more memory than one.
+/// Each is opened when its turn comes, so that many need no more memory than one. A scanner has the
+/// same number (Scan::scanner) in all of them: its name tells which it is.
 ///
 /// Throws what open_log throws for the first log; a later one that cannot be read is named in
 /// problems(), and the run goes on behind it.

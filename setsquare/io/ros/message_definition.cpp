@@ -154,7 +154,8 @@ const TypeDefinition* MessageDefinition::find(std::string_view type, std::string
   const std::string package(owner.substr(0, owner.find('/') + 1));
   const TypeDefinition* neighbour = by_name(package + std::string(type));
   if (neighbour != nullptr || type != "Header") return neighbour;
-  return by_name("std_msgs/Header");
+  const TypeDefinition* header = by_name("std_msgs/Header");
+  return header != nullptr ? header : by_name("roslib/Header");
 }
 
 MessageDefinition parse_message_definition(std::string_view message_type, std::string_view text) {

@@ -69,7 +69,8 @@ struct MessageDefinition {
   std::string fault;                  ///< Why the text is no definition; empty if it is one.
 
   /// The type that a field of `owner` means: itself a full name, one of owner's package, or
-  /// "Header" for std_msgs/Header. Null where the definition does not hold it.
+  /// "Header" for std_msgs/Header, which was roslib/Header until 2010. Null where the definition
+  /// does not hold it.
   [[nodiscard]] const TypeDefinition* find(std::string_view type, std::string_view owner) const;
 };
 

@@ -38,7 +38,7 @@ void begin_behind_widest_gap(std::vector<BearingRange>& sorted) {
     }
   }
   for (std::size_t i = 0; i < first; ++i) sorted[i].bearing_rad += kTwoPi;
-  std::ranges::rotate(sorted, sorted.begin() + static_cast<std::ptrdiff_t>(first));
+  std::rotate(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(first), sorted.end());
 }
 
 }  // namespace

@@ -67,7 +67,10 @@ bool BagLog::read(LogRecord& record) {
       if (is_good) return true;
       continue;
     }
-    if (is_at_end_) return false;
+    if (is_at_end_) {
+      remark_on_odometry();
+      return false;
+    }
     Message message;
     if (source_->read(message)) {
       take(message);
@@ -83,9 +86,10 @@ bool BagLog::read(LogRecord& record) {
 void BagLog::take(const Message& message) {
   first_log_time_ = std::min(first_log_time_.value_or(message.log_time), message.log_time);
   last_log_time_ = std::max(last_log_time_, message.log_time);
-  const auto [entry, is_new] =
-      readers_.try_emplace(message.topic, source_->topics()[message.topic]);
-  const TopicRole role = entry->second.role;
+  const auto entry = readers_.try_emplace(message.topic, source_->topics()[message.topic]);
+  const bool is_new = entry.second;
+  TopicReader& reader = entry.first->second;
+  const TopicRole role = reader.role;
   if (role == TopicRole::kScan || role == TopicRole::kMultiEchoScan) has_scan_topic_ = true;
   std::visit(
       [&](auto& topic) {
@@ -101,7 +105,7 @@ void BagLog::take(const Message& message) {
           }
         }
       },
-      *entry->second.decoder);
+      *reader.decoder);
 }
 
 void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
@@ -205,7 +209,7 @@ void BagLog::add_odometry(const std::string& topic,
                           Timestamp stamp,
                           const Pose2& T_odom_base,
                           std::string_view base_frame) {
-  odometry_clock_offset_ns_.try_emplace(topic, message.log_time.ns - stamp.ns);
+  odometry_clock_offset_ns_[topic] = message.log_time.ns - stamp.ns;
   odometry_.add(topic, stamp, T_odom_base, std::string(ros::plain_frame_name(base_frame)));
 }
 
@@ -227,6 +231,8 @@ BagLog::Pending& BagLog::add_pending(RecordKind kind, const Message& message, Ti
   record.turn_rad_per_s.reset();
   record.position = message.position;
   pending.arrival = message.log_time;
+  pending.newest_of_topic = &newest_stamps_[record.sensor];
+  *pending.newest_of_topic = std::max(*pending.newest_of_topic, stamp);
   pending.clock_offset_ns = message.log_time.ns - stamp.ns;
   pending.is_of_cloud = false;
   record.has_assumed_bearings = false;
@@ -248,7 +254,9 @@ bool BagLog::is_beginning() const {
 
 bool BagLog::is_mounting_settled(const Pending& pending) const {
   const std::string& frame = pending.scan.frame_id;
-  const double waited_s = seconds_between(pending.arrival, last_log_time_);
+  // A program that makes a recording of another file is done in no time by its own clock.
+  const double waited_s = std::max(seconds_between(pending.arrival, last_log_time_),
+                                   seconds_between(pending.record.stamp, *pending.newest_of_topic));
   if (pending.is_of_cloud || frame.empty() || unplaced_frames_.contains(frame) ||
       waited_s > kMaxWaitForFrame_s) {
     return true;
@@ -272,6 +280,8 @@ bool BagLog::complete(Pending& pending) {
   }
   odometry_.settle();
   pending.record.T_odom_base = odometry_.at(in_odometry_clock(pending));
+  ++num_scans_;
+  if (!pending.record.T_odom_base) ++num_without_odometry_;
   if (pending.is_of_cloud) return true;
   const std::string& frame = pending.scan.frame_id;
   ros::TransformLookup mounting;
@@ -370,6 +380,18 @@ void BagLog::remark_at_end() {
   }
   problems().num_damaged += source_->problems().num_damaged - source_->problems().first.size();
   for (const std::string& remark : source_->problems().remarks) remark_once(remark);
+}
+
+void BagLog::remark_on_odometry() {
+  constexpr double kWorthTelling = 0.1;  // At a recording's ends a few scans have none.
+  const double share = static_cast<double>(num_without_odometry_) / static_cast<double>(num_scans_);
+  if (odometry_.chosen().empty() || !(share > kWorthTelling)) return;
+  remark_once(
+      fmt::format("{} has no pose near the stamps of {} of the {} scans: they are taken "
+                  "without odometry",
+                  odometry_.chosen(),
+                  num_without_odometry_,
+                  num_scans_));
 }
 
 RecordingFrame BagLog::frame_of(const ros::TransformTree::Link& link) const {

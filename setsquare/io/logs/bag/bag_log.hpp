@@ -47,8 +47,9 @@ class BagLog final : public RecordStream {
   /// A record that is not yet handed on.
   struct Pending {
     LogRecord record;
-    ros::LaserScan scan;               ///< kScan: as it was sent.
-    Timestamp arrival;                 ///< Log time.
+    ros::LaserScan scan;  ///< kScan: as it was sent.
+    Timestamp arrival;    ///< Log time.
+    Timestamp* newest_of_topic = nullptr;
     std::int64_t clock_offset_ns = 0;  ///< Log time minus stamp.
     bool is_of_cloud = false;          ///< kScan: record.scan is made, of a point cloud.
   };
@@ -87,19 +88,26 @@ class BagLog final : public RecordStream {
   void remark_once(const std::string& remark);
   void remark_on_place(const std::string& topic, const std::string& reason);
   void remark_at_end();
+  /// Behind the last record: how many scans had to do without.
+  void remark_on_odometry();
 
   std::unique_ptr<MessageSource> source_;
   LogOptions options_;
   std::map<std::size_t, TopicReader> readers_;  ///< By the topic's index.
   ros::TransformTree tree_;
   BagOdometry odometry_;
-  std::map<std::string, std::int64_t> odometry_clock_offset_ns_;  ///< By topic.
+  /// Log time minus stamp of each topic's last message: in a recording that was made faster than
+  /// the robot drove, it changes.
+  std::map<std::string, std::int64_t> odometry_clock_offset_ns_;
+  std::map<std::string, Timestamp> newest_stamps_;  ///< By topic.
   std::deque<Pending> pending_;
   std::vector<Pending> spare_;                       ///< Whose memory is used again.
   std::map<std::string, ros::PointSlicer> slicers_;  ///< By the topic of clouds.
   std::map<std::string, PlacedScans> placed_;        ///< By the laser's topic.
   std::set<std::string> unplaced_frames_;            ///< Of lasers that no transform places.
   std::map<std::string, std::uint64_t> num_without_stamp_;
+  std::uint64_t num_scans_ = 0;
+  std::uint64_t num_without_odometry_ = 0;
   std::set<std::string> remarks_made_;
   std::optional<Timestamp> first_log_time_;
   Timestamp last_log_time_;

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/json_lines/scanner.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -15,6 +18,32 @@ constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();
 /// Whether a character ends a number, a name or a word such as null.
 bool is_json_delimiter(char c) {
   return c == ',' || c == ']' || c == '}' || c == ':' || c == ' ' || c == '\t' || c == '\r';
+}
+
+/// How many characters the escape at the front takes: `\n`, `\u00e4`.
+std::size_t escape_length(std::string_view text) {
+  return text.size() > 1 && text[1] == 'u' ? 6 : 2;
+}
+
+/// The text between quotes as it is meant; nothing where an escape is none. Beside the escapes it
+/// may be in any encoding.
+std::optional<std::string> unescaped(std::string_view text) {
+  std::string plain;
+  for (;;) {
+    const std::size_t first = std::min(text.find('\\'), text.size());
+    plain += text.substr(0, first);
+    text.remove_prefix(first);
+    if (text.empty()) return plain;
+    std::size_t length = 0;  // Of all in a row: two may be one character.
+    while (length < text.size() && text[length] == '\\') {
+      length += escape_length(text.substr(length));
+    }
+    const auto value =
+        nlohmann::json::parse(fmt::format("\"{}\"", text.substr(0, length)), nullptr, false);
+    if (!value.is_string()) return std::nullopt;
+    plain += value.get<std::string>();
+    text.remove_prefix(std::min(length, text.size()));
+  }
 }
 
 }  // namespace
@@ -61,12 +90,7 @@ std::optional<std::string_view> JsonScanner::quoted_text() {
 std::optional<std::string> JsonScanner::string() {
   const auto quoted = quoted_text();
   if (!quoted) return std::nullopt;
-  if (quoted->find('\\') == std::string_view::npos) {
-    return std::string(quoted->substr(1, quoted->size() - 2));
-  }
-  const auto value = nlohmann::json::parse(*quoted, nullptr, false);
-  if (!value.is_string()) return std::nullopt;
-  return value.get<std::string>();
+  return unescaped(quoted->substr(1, quoted->size() - 2));
 }
 
 std::optional<double> JsonScanner::number() {
