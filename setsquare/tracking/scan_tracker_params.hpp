@@ -126,12 +126,15 @@ struct ScanTrackerParams {
 struct MotionUncertaintyParams {
   double step_sigma_m = 0.004;    ///< Of every step ...
   double sigma_per_metre = 0.01;  ///< ... and this share of its length.
-  /// Along a direction that the walls left open, the share of the way in which they did.
-  double open_sigma_per_metre = 0.3;
-  double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
-  double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
-  double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
-  double restart_sigma_m = 200.0;                  ///< Of each new start of the submap.
+  /// Along a direction that the walls leave open and no odometry tells, the robot's speed: from
+  /// the one it had it may change as fast as this, ...
+  double open_acceleration_m_per_s2 = 0.3;
+  double open_speed_m_per_s = 0.5;  ///< ... and be off by this at most (sigmas).
+  /// Where odometry tells it: the share of the way.
+  double open_sigma_per_metre_by_odometry = 0.05;
+  double lost_sigma_m = 0.3;        ///< Of each lost scan in between.
+  double recovered_sigma_m = 0.05;  ///< Of each scan found again far off.
+  double restart_sigma_m = 200.0;   ///< Of each new start of the submap.
 
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
