@@ -35,8 +35,10 @@ double MotionUncertainty::open_sigma_m(const TrackedPose& tracked, double second
     return params_.open_sigma_per_metre_by_odometry * way_m;
   }
   // The estimate's own way tells nothing: a robot that stood may have driven on.
-  open_s_ += seconds;
-  return std::min(params_.open_acceleration_m_per_s2 * open_s_, params_.open_speed_m_per_s) *
+  const double open_share = 1.0 - tracked.open_bound_share;
+  open_s_ = open_share * (open_s_ + seconds);
+  return open_share *
+         std::min(params_.open_acceleration_m_per_s2 * open_s_, params_.open_speed_m_per_s) *
          seconds;
 }
 

@@ -66,6 +66,9 @@ struct SubmapRefinementParams {
   double min_effective_points = 3.0;
   double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
+  /// How far the walls bind a direction: 0 by chance alone, 1 by min_effective_points or more.
+  [[nodiscard]] double bound_share(double effective_points) const;
+
   /// Throws ParameterError that names the field.
   void validate() const;
 };

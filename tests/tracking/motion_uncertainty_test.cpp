@@ -19,6 +19,7 @@ TrackedPose at(const Pose2& T_odom_body, TrackStatus status = TrackStatus::kTrac
 
 TrackedPose open_along(double direction_rad, const Pose2& T_odom_sensor) {
   TrackedPose tracked = at(T_odom_sensor, TrackStatus::kDegenerate);
+  tracked.open_bound_share = 0.0;
   tracked.open.direction = {std::cos(direction_rad), std::sin(direction_rad)};
   return tracked;
 }
