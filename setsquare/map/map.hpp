@@ -64,6 +64,7 @@ struct OpenStretch {
   std::size_t first_scan = 0;
   std::size_t num_scans = 0;
   double way_m = 0.0;           ///< Travelled meanwhile, as far as is known.
+  double duration_s = 0.0;      ///< From its first scan to its last.
   double direction_rad = 0.0;   ///< The open direction in the map frame, modulo pi.
   bool has_odometry = false;    ///< Whether odometry stood in all along.
   double length_sigma_m = 0.0;  ///< Standard deviation of its length, given all other measurements.

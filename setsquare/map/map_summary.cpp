@@ -50,6 +50,7 @@ MapSummary summary_of(const Map& map) {
   }
   for (const OpenStretch& stretch : map.open_stretches) {
     summary.open_m += stretch.way_m;
+    summary.open_s += stretch.duration_s;
     summary.worst_length_sigma_m = std::max(summary.worst_length_sigma_m, stretch.length_sigma_m);
   }
   return summary;

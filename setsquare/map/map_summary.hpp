@@ -26,7 +26,8 @@ struct MapSummary {
 
   std::size_t num_unjoined_pieces = 0;
   std::size_t num_unjoined_scans = 0;
-  double open_m = 0.0;                ///< Travelled along open stretches.
+  double open_m = 0.0;                ///< Travelled along open stretches, as far as is known, ...
+  double open_s = 0.0;                ///< ... in this time.
   double worst_length_sigma_m = 0.0;  ///< Of the least certain open stretch.
 };
 

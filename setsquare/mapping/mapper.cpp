@@ -146,7 +146,7 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
   }
   num_with_odometry_ += T_wheels_base.has_value();
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
-  uncertainty_.add(tracked, scan.scanner);
+  uncertainty_.add(tracked, {scan.scanner, scan.stamp});
   scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
   kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
     if (!tracked.is_keyframe) return std::make_shared<const Scan>(scan);

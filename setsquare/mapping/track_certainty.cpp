@@ -82,6 +82,7 @@ void interpolate(const Map& track,
 /// A run of degenerate scans: way, and the mean of its displacements modulo pi.
 OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
   OpenStretch stretch{.first_scan = first, .num_scans = end - first, .has_odometry = true};
+  stretch.duration_s = seconds_between(track.scans[first].stamp, track.scans[end - 1].stamp);
   double cos_sum = 0.0;
   double sin_sum = 0.0;
   for (std::size_t i = first; i < end; ++i) {
@@ -98,20 +99,29 @@ OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
   return stretch;
 }
 
-/// Along the stretch's direction, between the keyframes of its piece before and behind it.
-double length_sigma_m(const Map& track,
-                      const PieceNodes& piece,
-                      const MarginalCovariance& marginals,
-                      const OpenStretch& stretch) {
+/// How certain the stretch's length is, between the keyframes of its piece before and behind it:
+/// along the way by odometry; without it along the least certain direction, which then is the
+/// stretch's, as the way may not have been seen.
+void add_length(const Map& track,
+                const PieceNodes& piece,
+                const MarginalCovariance& marginals,
+                OpenStretch& stretch) {
   const std::size_t last_scan = stretch.first_scan + stretch.num_scans - 1;
   const std::size_t last_node = piece.first_node + piece.num_nodes - 1;
   const std::size_t from =
       std::clamp(keyframe_before(track, stretch.first_scan), piece.first_node, last_node);
   const std::size_t to =
       std::clamp(keyframe_before(track, last_scan) + 1, piece.first_node, last_node);
-  if (from == to) return 0.0;
-  const Eigen::Vector2d along(std::cos(stretch.direction_rad), std::sin(stretch.direction_rad));
-  return std::sqrt(std::max(0.0, along.dot(marginals.of_way(from, to) * along)));
+  if (from == to) return;
+  const Eigen::Matrix2d covariance_m2 = marginals.of_way(from, to);
+  if (stretch.has_odometry) {
+    const Eigen::Vector2d along(std::cos(stretch.direction_rad), std::sin(stretch.direction_rad));
+    stretch.length_sigma_m = std::sqrt(std::max(0.0, along.dot(covariance_m2 * along)));
+    return;
+  }
+  const SymmetricEigen2 eigen = symmetric_eigen(covariance_m2);
+  stretch.length_sigma_m = std::sqrt(std::max(0.0, eigen.values.y()));
+  stretch.direction_rad = std::atan2(eigen.vectors(1, 1), eigen.vectors(0, 1));
 }
 
 }  // namespace
@@ -137,7 +147,8 @@ std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_node
   return of_scan_m;
 }
 
-std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m) {
+std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, double min_sigma_m) {
+  constexpr double kShortest_s = 0.5;  // In less time a robot does not get far.
   std::vector<OpenStretch> stretches;
   const std::size_t n = track.scans.size();
   for (std::size_t first = 0; first < n;) {
@@ -145,7 +156,8 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m) {
     while (end < n && track.scans[end].status == TrackStatus::kDegenerate) ++end;
     if (end > first) {
       const OpenStretch stretch = stretch_from(track, first, end);
-      if (stretch.way_m >= min_way_m) stretches.push_back(stretch);
+      const bool may_be_long = !stretch.has_odometry && stretch.duration_s > kShortest_s;
+      if (stretch.way_m >= min_way_m || may_be_long) stretches.push_back(stretch);
     }
     first = std::max(end, first + 1);
   }
@@ -157,8 +169,11 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m) {
       return stretch.first_scan < piece.end_scan;
     });
     if (of_stretch == pieces.end()) continue;
-    stretch.length_sigma_m = length_sigma_m(track, *of_stretch, marginals, stretch);
+    add_length(track, *of_stretch, marginals, stretch);
   }
+  std::erase_if(stretches, [&](const OpenStretch& stretch) {
+    return stretch.way_m < min_way_m && stretch.length_sigma_m < min_sigma_m;
+  });
   return stretches;
 }
 

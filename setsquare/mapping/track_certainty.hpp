@@ -17,8 +17,11 @@ namespace setsquare {
 [[nodiscard]] std::vector<double> position_sigmas_m(const Map& track,
                                                     std::size_t max_num_nodes = 48);
 
-/// The stretches of at least `min_way_m` that were degenerate all along, in their order.
-[[nodiscard]] std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m = 1.0);
+/// The stretches that were degenerate all along, in their order: those of at least `min_way_m`, and
+/// those whose length is not known to `min_sigma_m` - without odometry the way may not be seen.
+[[nodiscard]] std::vector<OpenStretch> open_stretches(const Map& track,
+                                                      double min_way_m = 1.0,
+                                                      double min_sigma_m = 0.5);
 
 /// Writes both into the map: MappedScan::position_sigma_m and Map::open_stretches.
 void add_certainty(Map& map);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/motion_uncertainty.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "setsquare/core/parameter_checks.hpp"
@@ -13,7 +14,8 @@ void MotionUncertaintyParams::validate() const {
   require_positive(step_sigma_rad, "step_sigma_rad");
   require_not_negative(sigma_per_metre, "sigma_per_metre");
   require_not_negative(sigma_per_turn, "sigma_per_turn");
-  require_not_negative(open_sigma_per_metre, "open_sigma_per_metre");
+  require_not_negative(open_acceleration_m_per_s2, "open_acceleration_m_per_s2");
+  require_not_negative(open_speed_m_per_s, "open_speed_m_per_s");
   require_not_negative(open_sigma_per_metre_by_odometry, "open_sigma_per_metre_by_odometry");
   require_positive(lost_sigma_m, "lost_sigma_m");
   require_positive(lost_sigma_rad, "lost_sigma_rad");
@@ -27,7 +29,23 @@ void MotionUncertaintyParams::validate() const {
   require_positive(restart_sigma_rad_by_odometry, "restart_sigma_rad_by_odometry");
 }
 
-void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
+double MotionUncertainty::open_sigma_m(const TrackedPose& tracked, double seconds) {
+  if (tracked.has_odometry) {
+    const double way_m = (tracked.T_odom_body.translation() - T_odom_last_.translation()).norm();
+    return params_.open_sigma_per_metre_by_odometry * way_m;
+  }
+  // The estimate's own way tells nothing: a robot that stood may have driven on.
+  const double open_share = 1.0 - tracked.open_bound_share;
+  open_s_ = open_share * (open_s_ + seconds);
+  return open_share *
+         std::min(params_.open_acceleration_m_per_s2 * open_s_, params_.open_speed_m_per_s) *
+         seconds;
+}
+
+void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep) {
+  const double seconds =
+      has_last_ ? std::max(0.0, seconds_between(last_sweep_.stamp, sweep.stamp)) : 0.0;
+  if (tracked.status == TrackStatus::kTracked) open_s_ = 0.0;
   has_odometry_ = has_odometry_ && tracked.has_odometry;
   const auto add_jump = [&](double sigma_m, double sigma_rad) {
     jump_variance_m2_ += sigma_m * sigma_m;
@@ -37,20 +55,17 @@ void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
     case TrackStatus::kTracked:
       break;
     case TrackStatus::kDegenerate: {
-      const double way_m =
-          has_last_ ? (tracked.T_odom_body.translation() - T_odom_last_.translation()).norm() : 0.0;
-      const double sigma_per_metre = tracked.has_odometry ? params_.open_sigma_per_metre_by_odometry
-                                                          : params_.open_sigma_per_metre;
+      if (!has_last_) break;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();
+      open_sigma_m_ += open_sigma_m(tracked, seconds) * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:
       add_jump(params_.recovered_sigma_m, params_.recovered_sigma_rad);
       break;
     case TrackStatus::kLost:
-      if (is_bridged(scanner)) break;
+      if (is_bridged(sweep.scanner)) break;
       if (tracked.has_odometry) {
         add_jump(params_.lost_sigma_m_by_odometry, params_.lost_sigma_rad_by_odometry);
       } else {
@@ -65,7 +80,7 @@ void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
   }
   T_odom_last_ = tracked.T_odom_body;
   was_lost_ = tracked.status == TrackStatus::kLost;
-  last_scanner_ = scanner;
+  last_sweep_ = sweep;
   has_last_ = true;
 }
 

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/tracking/motion_prediction.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/tracked_pose.hpp"
 
@@ -28,23 +29,26 @@ class MotionUncertainty {
 
   /// The next scan, of one of the robot's scanners. One that is lost right after another scanner's
   /// was not adds nothing: that one saw the motion.
-  void add(const TrackedPose& tracked, std::uint32_t scanner = 0);
+  void add(const TrackedPose& tracked, const SweepStart& sweep = {});
 
   /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
   [[nodiscard]] MotionCovariance take();
 
  private:
   [[nodiscard]] bool is_bridged(std::uint32_t scanner) const {
-    return has_last_ && scanner != last_scanner_ && !was_lost_;
+    return has_last_ && scanner != last_sweep_.scanner && !was_lost_;
   }
+  /// How far off the motion from the last scan may be along a direction that was open.
+  [[nodiscard]] double open_sigma_m(const TrackedPose& tracked, double seconds);
 
   MotionUncertaintyParams params_;
   bool has_last_ = false;
-  bool was_lost_ = false;           ///< The last scan ...
-  std::uint32_t last_scanner_ = 0;  ///< ... and its scanner.
-  bool has_odometry_ = true;        ///< At every scan since the last keyframe.
-  Pose2 T_odom_last_;               ///< Of the body at the last scan ...
-  Pose2 T_odom_keyframe_;           ///< ... and at the last keyframe.
+  bool was_lost_ = false;     ///< The last scan ...
+  SweepStart last_sweep_;     ///< ... and its scanner.
+  double open_s_ = 0.0;       ///< Since when no scan has told the speed.
+  bool has_odometry_ = true;  ///< At every scan since the last keyframe.
+  Pose2 T_odom_last_;         ///< Of the body at the last scan ...
+  Pose2 T_odom_keyframe_;     ///< ... and at the last keyframe.
   /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.
   Eigen::Matrix2d open_sigma_m_ = Eigen::Matrix2d::Zero();
   double jump_variance_m2_ = 0.0;

@@ -190,7 +190,8 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
   return {.status = is_recovered ? TrackStatus::kRecovered : if_not_recovered,
           .T_odom_sensor = fit.T_odom_sensor,
           .score = fit.alignment.score(),
-          .open = fit.open};
+          .open = fit.open,
+          .open_bound_share = params_.refinement.bound_share(fit.open.effective_points)};
 }
 
 bool ScanTracker::is_open(const SubmapFit& fit) const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/scan_tracker_params.hpp"
 
+#include <algorithm>
+
 #include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
@@ -15,6 +17,11 @@ void PredictionTrust::validate(const std::string& name) const {
   require_not_negative(weight, name + ".weight");
   require_positive(sigma_m, name + ".sigma_m");
   require_not_negative(min_gain, name + ".min_gain");
+}
+
+double SubmapRefinementParams::bound_share(double effective_points) const {
+  return std::clamp(
+      (effective_points - chance_points) / (min_effective_points - chance_points), 0.0, 1.0);
 }
 
 void SubmapRefinementParams::validate() const {

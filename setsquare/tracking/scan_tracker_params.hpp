@@ -66,6 +66,9 @@ struct SubmapRefinementParams {
   double min_effective_points = 3.0;
   double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
+  /// How far the walls bind a direction: 0 by chance alone, 1 by min_effective_points or more.
+  [[nodiscard]] double bound_share(double effective_points) const;
+
   /// Throws ParameterError that names the field.
   void validate() const;
 };
@@ -126,12 +129,15 @@ struct ScanTrackerParams {
 struct MotionUncertaintyParams {
   double step_sigma_m = 0.004;    ///< Of every step ...
   double sigma_per_metre = 0.01;  ///< ... and this share of its length.
-  /// Along a direction that the walls left open, the share of the way in which they did.
-  double open_sigma_per_metre = 0.3;
-  double open_sigma_per_metre_by_odometry = 0.05;  ///< The same where odometry stood in.
-  double lost_sigma_m = 0.3;                       ///< Of each lost scan in between.
-  double recovered_sigma_m = 0.05;                 ///< Of each scan found again far off.
-  double restart_sigma_m = 200.0;                  ///< Of each new start of the submap.
+  /// Along a direction that the walls leave open and no odometry tells, the robot's speed: from
+  /// the one it had it may change as fast as this, ...
+  double open_acceleration_m_per_s2 = 0.3;
+  double open_speed_m_per_s = 0.5;  ///< ... and be off by this at most (sigmas).
+  /// Where odometry tells it: the share of the way.
+  double open_sigma_per_metre_by_odometry = 0.05;
+  double lost_sigma_m = 0.3;        ///< Of each lost scan in between.
+  double recovered_sigma_m = 0.05;  ///< Of each scan found again far off.
+  double restart_sigma_m = 200.0;   ///< Of each new start of the submap.
 
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.

@@ -17,10 +17,7 @@ constexpr double kStepDamping = 1e-3;
 /// by the noise of their normals, and they hold it in place: a robot in a bare corridor would
 /// come to rest.
 Eigen::Matrix3d without_chance(const OpenDirection& open, const SubmapRefinementParams& params) {
-  const double share = std::clamp((open.effective_points - params.chance_points) /
-                                      (params.min_effective_points - params.chance_points),
-                                  0.0,
-                                  1.0);
+  const double share = params.bound_share(open.effective_points);
   Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
   kept.topLeftCorner<2, 2>() -=
       (1.0 - std::sqrt(share)) * open.direction * open.direction.transpose();

@@ -26,6 +26,7 @@ struct TrackedPose {
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.
+  double open_bound_share = 1.0;  ///< How far the walls bind it (SubmapRefinementParams).
 };
 
 }  // namespace setsquare

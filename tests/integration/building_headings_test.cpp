@@ -55,7 +55,7 @@ Drive drive_through(const SeededBuilding& seeded) {
     const SimulatedScan simulated =
         simulate_scan(caster, building.people, scanner, path, 0.1 * static_cast<double>(i), random);
     const TrackedPose tracked = tracker.track(simulated.scan, std::nullopt);
-    uncertainty.add(tracked);
+    uncertainty.add(tracked, {0, simulated.scan.stamp});
     if (!tracked.is_keyframe) continue;
     drive.heading_rad.push_back(simulated.T_map_base.theta_rad);
     drive.evidence.push_back({.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,

@@ -19,15 +19,21 @@ TrackedPose at(const Pose2& T_odom_body, TrackStatus status = TrackStatus::kTrac
 
 TrackedPose open_along(double direction_rad, const Pose2& T_odom_sensor) {
   TrackedPose tracked = at(T_odom_sensor, TrackStatus::kDegenerate);
+  tracked.open_bound_share = 0.0;
   tracked.open.direction = {std::cos(direction_rad), std::sin(direction_rad)};
   return tracked;
 }
 
+SweepStart after(double seconds) { return {0, timestamp_from_seconds(seconds)}; }
+
+/// Scans 0.1 s apart.
 MotionCovariance covariance_of(const std::vector<TrackedPose>& scans, bool has_odometry = false) {
   MotionUncertainty uncertainty(kParams);
+  double stamp_s = 0.0;
   for (TrackedPose scan : scans) {
     scan.has_odometry = has_odometry;
-    uncertainty.add(scan);
+    uncertainty.add(scan, after(stamp_s));
+    stamp_s += 0.1;
   }
   return uncertainty.take();
 }
@@ -63,20 +69,53 @@ TEST(MotionUncertainty, AnOpenDirectionCountsAlongItselfOnly) {
   const Eigen::Vector2d along(std::cos(kOpen_rad), std::sin(kOpen_rad));
   const Eigen::Vector2d across(-along.y(), along.x());
   const Pose2 end{0.4, 0.0, 0.0};
-  const Eigen::Matrix2d bound = covariance_of({at({}), at(end)}).translation_m2;
-  const Eigen::Matrix2d open = covariance_of({at({}), open_along(kOpen_rad, end)}).translation_m2;
+  const Eigen::Matrix2d bound = covariance_of({at({}), at(end)}, true).translation_m2;
+  const Eigen::Matrix2d open =
+      covariance_of({at({}), open_along(kOpen_rad, end)}, true).translation_m2;
   EXPECT_NEAR(across.dot(open * across), across.dot(bound * across), 1e-12);
   EXPECT_NEAR(along.dot(open * along) - along.dot(bound * along),
-              square(kParams.open_sigma_per_metre * 0.4),
+              square(kParams.open_sigma_per_metre_by_odometry * 0.4),
               1e-12);
+}
+
+// A robot that was seen to stand may have driven on since: what counts is the time, not the way of
+// the estimate, which rests where the walls tell nothing.
+TEST(MotionUncertainty, WithoutOdometryAnOpenDirectionGrowsWithTheTime) {
+  const auto open_sigma_m = [](double speed_m_per_s, double seconds) {
+    MotionUncertainty uncertainty(kParams);
+    uncertainty.add(at({}), after(0.0));
+    for (int i = 1; i <= static_cast<int>(10.0 * seconds); ++i) {
+      uncertainty.add(open_along(0.0, {0.1 * i * speed_m_per_s, 0.0, 0.0}), after(0.1 * i));
+    }
+    return uncertainty.take().slip_sigma_m;
+  };
+  for (const double seconds : {0.5, 1.0, 1.5}) {  // while it may speed up
+    EXPECT_NEAR(open_sigma_m(0.0, seconds),
+                0.5 * kParams.open_acceleration_m_per_s2 * seconds * (seconds + 0.1),
+                1e-9);
+  }
+  EXPECT_NEAR(
+      open_sigma_m(0.0, 41.0) - open_sigma_m(0.0, 11.0), 30.0 * kParams.open_speed_m_per_s, 1e-9);
+  EXPECT_EQ(open_sigma_m(0.0, 11.0), open_sigma_m(0.6, 11.0));
+}
+
+TEST(MotionUncertainty, AScanThatTellsTheSpeedEndsTheDoubt) {
+  MotionUncertainty uncertainty(kParams);
+  uncertainty.add(at({}), after(0.0));
+  for (int i = 1; i <= 100; ++i) uncertainty.add(open_along(0.0, {}), after(0.1 * i));
+  uncertainty.add(at({}), after(10.1));
+  (void)uncertainty.take();
+  uncertainty.add(open_along(0.0, {}), after(10.2));
+  EXPECT_NEAR(
+      uncertainty.take().slip_sigma_m, 0.1 * 0.1 * kParams.open_acceleration_m_per_s2, 1e-9);
 }
 
 TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
   // The same way in one scan or in eight: errors of neighbouring scans are correlated.
   std::vector<TrackedPose> many = {at({})};
   for (int i = 1; i <= 8; ++i) many.push_back(open_along(0.3, {0.05 * i, 0.0, 0.0}));
-  const MotionCovariance in_eight = covariance_of(many);
-  const MotionCovariance in_one = covariance_of({at({}), open_along(0.3, {0.4, 0.0, 0.0})});
+  const MotionCovariance in_eight = covariance_of(many, true);
+  const MotionCovariance in_one = covariance_of({at({}), open_along(0.3, {0.4, 0.0, 0.0})}, true);
   EXPECT_TRUE(in_eight.translation_m2.isApprox(in_one.translation_m2, 1e-9));
 }
 
@@ -84,10 +123,10 @@ TEST(MotionUncertainty, WhatAnotherScannerSawIsNotLost) {
   MotionUncertainty one_blind(kParams);
   MotionUncertainty both_blind(kParams);
   for (int i = 0; i < 10; ++i) {
-    one_blind.add(at({}), 0);
-    one_blind.add(at({}, TrackStatus::kLost), 1);
-    both_blind.add(at({}, TrackStatus::kLost), 0);
-    both_blind.add(at({}, TrackStatus::kLost), 1);
+    one_blind.add(at({}), {0, {}});
+    one_blind.add(at({}, TrackStatus::kLost), {1, {}});
+    both_blind.add(at({}, TrackStatus::kLost), {0, {}});
+    both_blind.add(at({}, TrackStatus::kLost), {1, {}});
   }
   EXPECT_EQ(one_blind.take().translation_m2, covariance_of({at({})}).translation_m2);
   EXPECT_GT(both_blind.take().translation_m2.trace(), 10.0 * square(kParams.lost_sigma_m));
@@ -97,7 +136,7 @@ TEST(MotionUncertainty, OdometryReducesTheUncertainty) {
   TrackedPose restart = at({0.4, 0.0, 0.1}, TrackStatus::kLost);
   restart.is_restart = true;
   for (const TrackedPose& scan :
-       {at({0.4, 0.0, 0.1}, TrackStatus::kLost), open_along(0.0, {0.4, 0.0, 0.1}), restart}) {
+       {at({0.4, 0.0, 0.1}, TrackStatus::kLost), open_along(0.0, {0.04, 0.0, 0.1}), restart}) {
     const MotionCovariance with = covariance_of({at({}), scan}, true);
     const MotionCovariance without = covariance_of({at({}), scan}, false);
     EXPECT_LT(with.translation_m2.trace(), without.translation_m2.trace());

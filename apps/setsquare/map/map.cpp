@@ -40,11 +40,13 @@ void tell_doubts(const MapSummary& summary) {
     std::cout << "left out: " << summary.num_unjoined_pieces << " pieces of track, "
               << summary.num_unjoined_scans << " scans, that could not be joined to the map\n";
   }
-  if (summary.open_m == 0.0) return;
+  if (summary.open_s == 0.0) return;
   std::cout << fmt::format(
-      "bare corridors: {:.0f} m without walls across; the least certain stretch is known to "
+      "bare corridors: {:.0f} m in {:.0f} s without walls across; the least certain stretch is "
+      "known to "
       "{:.2f} m (sigma)\n",
       summary.open_m,
+      summary.open_s,
       summary.worst_length_sigma_m);
 }
 

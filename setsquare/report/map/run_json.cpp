@@ -37,6 +37,7 @@ Json json_from(const OpenStretch& stretch, const Map& map) {
           {"num_scans", stretch.num_scans},
           {"first_stamp", to_string(map.scans[stretch.first_scan].stamp)},
           {"way_m", rounded(stretch.way_m)},
+          {"duration_s", rounded(stretch.duration_s)},
           {"open_direction_deg", rounded(deg_from_rad(stretch.direction_rad))},
           {"with_odometry", stretch.has_odometry},
           {"length_sigma_m", rounded(stretch.length_sigma_m)}};
