@@ -32,8 +32,8 @@ using testing::PoseNear;
 using testing::read_all;
 using testing::ReadLog;
 using ::testing::SizeIs;
-using ::testing::Values;
 using testing::uniform;
+using ::testing::Values;
 
 constexpr testing::PoseTolerance kTight{.translation_m = 1e-9, .rotation_rad = 1e-9};
 
