@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cerrno>
-#include <ranges>
 #include <system_error>
 #include <utility>
 
@@ -144,9 +143,9 @@ void OutputSet::finish_commit() {
   require_ours(path_ / kWhole);
   require_ours(path_ / kMove);
   if (is_there(path_ / kWhole)) {
-    for (const std::string& name : names_ | std::views::reverse) {
-      fs::remove(path_ / name, error);
-      require(path_ / name, error);
+    for (auto name = names_.rbegin(); name != names_.rend(); ++name) {
+      fs::remove(path_ / *name, error);
+      require(path_ / *name, error);
     }
     move(path_ / kWhole, path_ / kMove);
   }
