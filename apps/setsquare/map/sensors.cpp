@@ -134,6 +134,8 @@ std::vector<std::string> sentences_on(const std::vector<MappedScanner>& scanners
 }
 
 std::string sentence_on(const GyroReport& gyro) {
+  constexpr auto kOtherWay =
+      "it turns the other way: it or the scanner is mounted upside down (--mirror-scans)";
   switch (gyro.verdict) {
     case GyroVerdict::kOpen:
       return "gyro: not used, the robot did not turn enough to judge it";
@@ -142,9 +144,11 @@ std::string sentence_on(const GyroReport& gyro) {
                          gyro.scale,
                          deg_from_rad(gyro.bias_rad_per_s));
     case GyroVerdict::kMirrored:
-      return "gyro: ignored, it turns the other way: it is mounted upside down";
+      return fmt::format("gyro: ignored, {}", kOtherWay);
     case GyroVerdict::kDegrees:
-      return "gyro: ignored, its rates are degrees per second";
+      return fmt::format("gyro: ignored, its rates are degrees per second{}{}",
+                         gyro.scale < 0.0 ? ", and " : "",
+                         gyro.scale < 0.0 ? kOtherWay : "");
     case GyroVerdict::kUnlike:
       return "gyro: ignored, it does not turn as the scans show";
   }
