@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
@@ -44,7 +45,11 @@ class ScanTracker::ArrivedScan {
 };
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
-    : params_(params), motion_(params.num_scans_averaged), gap_(params.gap), gyro_(params.gyro) {
+    : params_(params),
+      motion_(params.num_scans_averaged),
+      gap_(params.gap),
+      gyro_(params.gyro),
+      long_steps_(params.long_steps) {
   params_.validate();
 }
 
@@ -82,6 +87,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
+  add_step(tracked, situation);
   compare_gyro(scan, tracked);
   ++num_scans_;
   return tracked;
@@ -120,13 +126,18 @@ Pose2 ScanTracker::expected_body(const Scan& scan,
                       gyro_.turn_rad(last_.stamp, scan.stamp));
 }
 
+void ScanTracker::add_step(const TrackedPose& tracked, Situation situation) {
+  if (situation != Situation::kExpected || tracked.status == TrackStatus::kLost) return;
+  long_steps_.add(last_.T_odom_body.inverse() * tracked.T_odom_body);
+}
+
 void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   const Placed now{
       scan.stamp,
-      tracked.T_odom_body.theta_rad,
+      tracked.T_odom_body,
       tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
   if (last_.is_tracked && now.is_tracked) {
-    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.heading_rad - last_.heading_rad));
+    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
   }
   last_ = now;
 }
@@ -155,6 +166,10 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
   const double least_score =
       is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
   bool is_recovered = false;
+  if (long_steps_.are_expected()) {
+    const auto agreed = place_by_votes(scan, problem, fit);
+    if (agreed) return *agreed;
+  }
   if (fit.alignment.score() < least_score) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
@@ -173,6 +188,32 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   if (found) return judged(problem, found->fit, found->is_far);
   const SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
+}
+
+std::optional<TrackedPose> ScanTracker::place_by_votes(ArrivedScan& scan,
+                                                       const TrackingProblem& problem,
+                                                       const SubmapFit& tracked) {
+  const double least_score =
+      is_open(tracked) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
+  const bool is_explained = tracked.alignment.score() >= least_score;
+  const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+  const auto agreed = agreed_place(
+      votes,
+      is_explained ? std::optional<Pose2>(tracked.T_odom_sensor) : std::nullopt,
+      params_.votes);
+  if (!agreed) return std::nullopt;
+  const Pose2& place = agreed->T_odom_sensor;
+  if (is_explained && is_same_place(place, tracked.T_odom_sensor, params_.votes)) {
+    return judged(problem, tracked, false);
+  }
+  const TrackingProblem at_place{
+      problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
+  SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
+  if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
+  return TrackedPose{.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
+                     .T_odom_sensor = fit.T_odom_sensor,
+                     .score = fit.alignment.score(),
+                     .open = fit.open};
 }
 
 TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered) {
@@ -205,13 +246,14 @@ void ScanTracker::count_lost(TrackStatus status, Situation situation) {
 bool ScanTracker::is_restart(Situation situation) const {
   if (!is_evidence(situation)) return false;
   return num_lost_ >= params_.max_lost_scans ||
-         (num_lost_ > 0 && situation == Situation::kAnywhere);
+         (num_lost_ > 0 && (situation == Situation::kAnywhere || long_steps_.are_usual()));
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.
 void ScanTracker::start_anew() {
   submap_.clear();
   submap_images_.clear();
+  prepared_.clear();
   num_lost_ = 0;
 }
 
@@ -237,6 +279,7 @@ void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Tracked
   if (submap_.size() >= params_.num_keyframes * std::max<std::size_t>(1, num_scanners())) {
     submap_.erase(submap_.begin());
     submap_images_.erase(submap_images_.begin());
+    prepared_.drop_first();
   }
   submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
                                                         .T_odom_sensor = tracked.T_odom_sensor,
@@ -244,6 +287,7 @@ void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Tracked
                                                         .scan = scan,
                                                         .surfaces = std::move(surfaces)}));
   submap_images_.push_back({&submap_.back()->image(), tracked.T_odom_sensor});
+  prepared_.add(submap_.back());
 }
 
 }  // namespace setsquare

@@ -8,7 +8,9 @@
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
+#include "setsquare/tracking/long_steps.hpp"
 #include "setsquare/tracking/motion_prediction.hpp"
+#include "setsquare/tracking/prepared_keyframes.hpp"
 #include "setsquare/tracking/repeated_scan.hpp"
 #include "setsquare/tracking/scan_gap.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
@@ -73,6 +75,11 @@ class ScanTracker {
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
+  /// The scan at the place that keyframes agree upon, matched with it one by one; nothing where
+  /// they do not. `tracked`: the fit about the predicted pose.
+  [[nodiscard]] std::optional<TrackedPose> place_by_votes(ArrivedScan& scan,
+                                                          const TrackingProblem& problem,
+                                                          const SubmapFit& tracked);
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
   /// Whether a direction is open.
@@ -83,6 +90,8 @@ class ScanTracker {
   /// Whether the submap restarts with the scan that was counted last.
   [[nodiscard]] bool is_restart(Situation situation) const;
   void start_anew();
+  /// The step to the scan that was placed last, for what comes.
+  void add_step(const TrackedPose& tracked, Situation situation);
   /// Compares the gyro with the turn from the last scan to this one, where both were tracked.
   void compare_gyro(const Scan& scan, const TrackedPose& tracked);
   [[nodiscard]] bool is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const;
@@ -98,11 +107,13 @@ class ScanTracker {
   Pose2 T_base_body_;
   std::vector<KeyframePtr> submap_;
   std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.
+  PreparedKeyframes prepared_;              ///< The same keyframes.
+  LongSteps long_steps_;
   PointMarks marks_;
-  /// Of the last scan: by it the gyro's turns are told apart.
+  /// Of the last scan.
   struct Placed {
     Timestamp stamp;
-    double heading_rad = 0.0;  ///< Of the body.
+    Pose2 T_odom_body;
     bool is_tracked = false;   ///< Without a jump.
   } last_;
   std::size_t num_scans_ = 0;

@@ -53,6 +53,12 @@ void RecoveryParams::validate() const {
   require_positive(near_rad, "recovery.near_rad");
 }
 
+void PlaceVoteParams::validate() const {
+  require_at_least_one(num_keyframes, "votes.num_keyframes");
+  require_positive(same_m, "votes.same_m");
+  require_positive(same_rad, "votes.same_rad");
+}
+
 void ScanTrackerParams::validate() const {
   require_at_least_one(num_keyframes, "num_keyframes");
   require_at_least_one(num_scans_averaged, "num_scans_averaged");
@@ -62,6 +68,8 @@ void ScanTrackerParams::validate() const {
   refinement.validate();
   corridor.validate();
   recovery.validate();
+  long_steps.validate();
+  votes.validate();
   gap.validate();
   gyro.validate();
   trust_in_odometry.validate("trust_in_odometry");

@@ -97,6 +97,27 @@ struct RecoveryParams {
   void validate() const;
 };
 
+/// Parameters of LongSteps.
+struct LongStepParams {
+  double long_m = 0.3;  ///< Farther than this, or ...
+  double long_rad = rad_from_deg(10.0);  ///< ... turned by more, is a long step from scan to scan.
+  std::size_t num_steps = 10;  ///< Of the latest steps ...
+  std::size_t min_long = 3;    ///< ... this many long ones let the matcher lead.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of place_votes and agreed_place.
+struct PlaceVoteParams {
+  std::size_t num_keyframes = 4;  ///< Asked, the latest.
+  double same_m = 0.3;            ///< Poses nearer than this ...
+  double same_rad = 0.1;          ///< ... and this to each other are one place.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the scan tracker.
 struct ScanTrackerParams {
   std::size_t num_keyframes = 8;     ///< In the submap, the latest of each scanner.
@@ -108,6 +129,8 @@ struct ScanTrackerParams {
   SubmapRefinementParams refinement;
   CorridorSearchParams corridor;
   RecoveryParams recovery;
+  LongStepParams long_steps;
+  PlaceVoteParams votes;
   ScanGapParams gap;
   GyroParams gyro;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
