@@ -26,6 +26,11 @@ double weight_of(MatchStatus status) {
   return status == MatchStatus::kAmbiguous ? kAmbiguousWeight : 0.0;
 }
 
+bool is_within(const ExpectedStep& step, const Pose2& place) {
+  const Pose2 off = step.T_odom_sensor.inverse() * place;
+  return std::hypot(off.x_m, off.y_m) <= step.reach_m && std::abs(off.theta_rad) <= step.reach_rad;
+}
+
 }  // namespace
 
 bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params) {
@@ -49,10 +54,10 @@ std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
 }
 
 std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
-                                        const std::optional<Pose2>& tracked,
+                                        const ExpectedStep& step,
                                         const PlaceVoteParams& params) {
   const auto votes_for = [&](const Pose2& place) {
-    double sum = tracked && is_same_place(place, *tracked, params) ? kAmbiguousWeight : 0.0;
+    double sum = is_within(step, place) ? kAmbiguousWeight : 0.0;
     for (const PlaceVote& vote : votes) {
       if (is_same_place(place, vote.T_odom_sensor, params)) sum += weight_of(vote.status);
     }

@@ -32,12 +32,19 @@ struct AgreedPlace {
                                                  const PreparedScan& current,
                                                  const PlaceVoteParams& params);
 
-/// The place with the most votes, which needs one match that stands alone, or two ambiguous ones,
-/// and more votes than any other place: one wrong match bends all that follows. Where the scan was
-/// tracked to a place that its submap explains, `tracked` speaks for that place as an ambiguous
-/// match does.
+/// Where the robot may be by its motion alone.
+struct ExpectedStep {
+  Pose2 T_odom_sensor;   ///< About it, ...
+  double reach_m = 0.0;  ///< ... as far as this ...
+  double reach_rad = 0.0;  ///< ... and turned by this at most.
+};
+
+/// The place with the most votes. It needs more than any other place, for one wrong match bends all
+/// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within
+/// reach of the expected step has as much for it as an ambiguous match gives: what makes a match
+/// ambiguous mostly lies farther away.
 [[nodiscard]] std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
-                                                      const std::optional<Pose2>& tracked,
+                                                      const ExpectedStep& step,
                                                       const PlaceVoteParams& params);
 
 /// Whether two poses are one place.

@@ -167,7 +167,7 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
   bool is_recovered = false;
   if (long_steps_.are_expected()) {
-    const auto agreed = place_by_votes(scan, problem, fit);
+    const auto agreed = place_by_votes(scan, problem, fit, has_odometry);
     if (agreed) return *agreed;
   }
   if (fit.alignment.score() < least_score) {
@@ -190,17 +190,23 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
 }
 
+ExpectedStep ScanTracker::expected_step(const TrackingProblem& problem, bool has_odometry) const {
+  if (has_odometry) {
+    return {problem.T_odom_predicted, params_.recovery.near_m, params_.recovery.near_rad};
+  }
+  const StepReach reach = long_steps_.reach();
+  return {last_.T_odom_body, reach.distance_m, reach.turn_rad};
+}
+
 std::optional<TrackedPose> ScanTracker::place_by_votes(ArrivedScan& scan,
                                                        const TrackingProblem& problem,
-                                                       const SubmapFit& tracked) {
+                                                       const SubmapFit& tracked,
+                                                       bool has_odometry) {
   const double least_score =
       is_open(tracked) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
   const bool is_explained = tracked.alignment.score() >= least_score;
   const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
-  const auto agreed = agreed_place(
-      votes,
-      is_explained ? std::optional<Pose2>(tracked.T_odom_sensor) : std::nullopt,
-      params_.votes);
+  const auto agreed = agreed_place(votes, expected_step(problem, has_odometry), params_.votes);
   if (!agreed) return std::nullopt;
   const Pose2& place = agreed->T_odom_sensor;
   if (is_explained && is_same_place(place, tracked.T_odom_sensor, params_.votes)) {

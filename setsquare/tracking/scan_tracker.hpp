@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
 #include "setsquare/tracking/long_steps.hpp"
@@ -79,7 +80,10 @@ class ScanTracker {
   /// they do not. `tracked`: the fit about the predicted pose.
   [[nodiscard]] std::optional<TrackedPose> place_by_votes(ArrivedScan& scan,
                                                           const TrackingProblem& problem,
-                                                          const SubmapFit& tracked);
+                                                          const SubmapFit& tracked,
+                                                          bool has_odometry);
+  /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
+  [[nodiscard]] ExpectedStep expected_step(const TrackingProblem& problem, bool has_odometry) const;
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
   /// Whether a direction is open.

@@ -103,6 +103,9 @@ struct LongStepParams {
   double long_rad = rad_from_deg(10.0);  ///< ... turned by more, is a long step from scan to scan.
   std::size_t num_steps = 10;  ///< Of the latest steps ...
   std::size_t min_long = 3;    ///< ... this many long ones let the matcher lead.
+  double least_reach_m = 1.5;  ///< The next step may be as long as this, and turn ...
+  double least_reach_rad = rad_from_deg(60.0);  ///< ... by this, ...
+  double reach_per_step = 1.3;  ///< ... or so many times what the latest did.
 
   /// Throws ParameterError that names the field.
   void validate() const;
