@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/match_params.hpp"
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/prepared_keyframes.hpp"
@@ -26,6 +27,13 @@ struct AgreedPlace {
   Pose2 T_odom_sensor;  ///< By the latest keyframe of those that agree.
   double votes = 0.0;   ///< For it: 1 for each match that stands alone, 1/2 for an ambiguous one.
 };
+
+/// What a match says for the place that it gives.
+[[nodiscard]] double vote_weight(MatchStatus status);
+
+/// The matcher's parameters for scans of which one was taken moments before the other: what would
+/// fit a corner of any building fits this one.
+[[nodiscard]] MatchParams params_of_moments_apart();
 
 /// The votes of the latest keyframes, the latest first.
 [[nodiscard]] std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,

@@ -161,16 +161,12 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
-  // In a bare corridor the walls fit; where they leave a direction open and do not, the place is
-  // wrong.
-  const double least_score =
-      is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
   bool is_recovered = false;
   if (long_steps_.are_expected()) {
     const auto agreed = place_by_votes(scan, problem, fit, has_odometry);
     if (agreed) return *agreed;
   }
-  if (fit.alignment.score() < least_score) {
+  if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
@@ -183,6 +179,10 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   const SurfaceSamples points = scan.all_points();
   const TrackingProblem problem{
       submap_images_, points, predicted, params_.trust_in_last_motion, marks_};
+  if (long_steps_.are_usual()) {
+    const auto agreed = place_by_votes(scan, problem, std::nullopt, false);
+    if (agreed) return *agreed;
+  }
   const auto found = recover(
       problem, submap_, scan.surfaces(), std::nullopt, params_.recovery, params_.refinement);
   if (found) return judged(problem, found->fit, found->is_far);
@@ -200,17 +200,15 @@ ExpectedStep ScanTracker::expected_step(const TrackingProblem& problem, bool has
 
 std::optional<TrackedPose> ScanTracker::place_by_votes(ArrivedScan& scan,
                                                        const TrackingProblem& problem,
-                                                       const SubmapFit& tracked,
+                                                       const std::optional<SubmapFit>& tracked,
                                                        bool has_odometry) {
-  const double least_score =
-      is_open(tracked) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
-  const bool is_explained = tracked.alignment.score() >= least_score;
   const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
-  const auto agreed = agreed_place(votes, expected_step(problem, has_odometry), params_.votes);
+  const auto agreed = agreed_place(votes, tracked ? expected_step(problem, has_odometry) : ExpectedStep{}, params_.votes);
   if (!agreed) return std::nullopt;
   const Pose2& place = agreed->T_odom_sensor;
-  if (is_explained && is_same_place(place, tracked.T_odom_sensor, params_.votes)) {
-    return judged(problem, tracked, false);
+  if (tracked && tracked->alignment.score() >= least_score(*tracked) &&
+      is_same_place(place, tracked->T_odom_sensor, params_.votes)) {
+    return judged(problem, *tracked, false);
   }
   const TrackingProblem at_place{
       problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
@@ -238,6 +236,10 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
           .T_odom_sensor = fit.T_odom_sensor,
           .score = fit.alignment.score(),
           .open = fit.open};
+}
+
+double ScanTracker::least_score(const SubmapFit& fit) const {
+  return is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
 }
 
 bool ScanTracker::is_open(const SubmapFit& fit) const {

@@ -80,12 +80,15 @@ class ScanTracker {
   /// they do not. `tracked`: the fit about the predicted pose.
   [[nodiscard]] std::optional<TrackedPose> place_by_votes(ArrivedScan& scan,
                                                           const TrackingProblem& problem,
-                                                          const SubmapFit& tracked,
+                                                          const std::optional<SubmapFit>& tracked,
                                                           bool has_odometry);
   /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
   [[nodiscard]] ExpectedStep expected_step(const TrackingProblem& problem, bool has_odometry) const;
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
+  /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
+  /// a direction open and do not, the place is wrong.
+  [[nodiscard]] double least_score(const SubmapFit& fit) const;
   /// Whether a direction is open.
   [[nodiscard]] bool is_open(const SubmapFit& fit) const;
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against

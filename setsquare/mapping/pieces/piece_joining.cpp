@@ -15,6 +15,7 @@
 #include "setsquare/mapping/pieces/place_signature.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
+#include "setsquare/tracking/agreed_place.hpp"
 
 namespace setsquare {
 namespace {
@@ -30,9 +31,17 @@ struct Proposal {
   std::size_t known = 0;   ///< Keyframe.
   std::size_t sought = 0;  ///< Keyframe of a piece that is to be joined to the former's.
   bool is_verified = false;
+  double weight = 0.0;  ///< Of a match across a break: vote_weight().
   Pose2 T_map_piece;  ///< How all that hangs together with the sought one would move.
   ComparedPlaces places;
 };
+
+/// Of a joint by the match of two scans.
+Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params) {
+  const double per_m2 = 1.0 / (params.joint_sigma_m * params.joint_sigma_m);
+  const double per_rad2 = 1.0 / (params.joint_sigma_rad * params.joint_sigma_rad);
+  return Eigen::Vector3d(per_m2, per_m2, per_rad2).asDiagonal();
+}
 
 class PieceJoiner {
  public:
@@ -80,7 +89,7 @@ class PieceJoiner {
   }
 
  private:
-  using Votes = std::size_t (*)(const std::vector<Proposal>&);
+  using Votes = double (*)(const std::vector<Proposal>&);
 
   void add_place(std::size_t keyframe) {
     const Submap submap = make_submap(track_, T_map_sensor_, keyframe, half_width_);
@@ -148,7 +157,8 @@ class PieceJoiner {
           proposals.back().sought = j;
         }
       }
-      const auto agreed = most_agreed(verified(proposals), &pairs_in, params_.min_agreeing_across_break);
+      const auto agreed =
+          most_agreed(matched(proposals), &weight_in, params_.min_votes_across_break);
       if (!agreed.empty()) merge(sought, known, agreed);
     }
   }
@@ -156,7 +166,9 @@ class PieceJoiner {
   bool join_anywhere(std::size_t group, std::size_t main) {
     if (places_of(group).size() < params_.min_agreeing) return false;
     const std::vector<Proposal> agreed =
-        most_agreed(verified(propose(group, main)), &places_in, params_.min_agreeing);
+        most_agreed(verified(propose(group, main)),
+                    &places_in,
+                    static_cast<double>(params_.min_agreeing));
     if (agreed.empty()) return false;
     merge(group, main, agreed);
     return true;
@@ -229,6 +241,36 @@ class PieceJoiner {
     return right;
   }
 
+  /// Those of the proposals, across a break, whose scans match.
+  [[nodiscard]] std::vector<Proposal> matched(const std::vector<Proposal>& proposals) {
+    const MatchParams params = params_of_moments_apart();
+    std::vector<Proposal> matched;
+    for (Proposal proposal : proposals) {
+      const MatchResult match =
+          setsquare::match(prepared(proposal.known), prepared(proposal.sought), params);
+      proposal.weight = vote_weight(match.status);
+      if (!match.T_reference_current || proposal.weight == 0.0) continue;
+      const Pose2& T_map_known = T_map_sensor_[proposal.known];
+      proposal.places.from = proposal.known;
+      proposal.places.to = proposal.sought;
+      proposal.places.T_from_to = *match.T_reference_current;
+      proposal.places.information = information_of_joint(params_);
+      proposal.places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
+      proposal.places.score = match.score;
+      proposal.places.contradiction = match.contradiction;
+      proposal.T_map_piece = T_map_known * *match.T_reference_current *
+                             T_map_sensor_[proposal.sought].inverse();
+      matched.push_back(proposal);
+    }
+    return matched;
+  }
+
+  [[nodiscard]] const PreparedScan& prepared(std::size_t keyframe) {
+    const auto [entry, is_new] = prepared_.try_emplace(keyframe);
+    if (is_new) entry->second = prepare(track_.keyframes[keyframe]->surfaces);
+    return entry->second;
+  }
+
   [[nodiscard]] static std::pair<std::size_t, std::size_t> pair_of(const Proposal& proposal) {
     return {proposal.known, proposal.sought};
   }
@@ -269,7 +311,7 @@ class PieceJoiner {
   /// votes, or another place has half as many votes.
   [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals,
                                                   const Votes& num_votes,
-                                                  std::size_t min_votes) const {
+                                                  double min_votes) const {
     std::vector<Proposal> best;
     for (const Proposal& centre : proposals) {
       std::vector<Proposal> agreeing = {centre};
@@ -288,20 +330,22 @@ class PieceJoiner {
       for (const Proposal& other : others) {
         if (agree(centre, other)) rivals.push_back(other);
       }
-      if (2 * num_votes(rivals) >= num_votes(best)) return {};
+      if (2.0 * num_votes(rivals) >= num_votes(best)) return {};
     }
     return best;
   }
 
   /// Votes of places: what one place saw is told once, however many others it resembles.
-  [[nodiscard]] static std::size_t places_in(const std::vector<Proposal>& proposals) {
+  [[nodiscard]] static double places_in(const std::vector<Proposal>& proposals) {
     std::set<std::size_t> places;
     for (const Proposal& proposal : proposals) places.insert(proposal.sought);
-    return places.size();
+    return static_cast<double>(places.size());
   }
-  /// Votes of pairs: across a break a scan or two is all there may be.
-  [[nodiscard]] static std::size_t pairs_in(const std::vector<Proposal>& proposals) {
-    return proposals.size();
+  /// Votes of matches across a break, where a scan or two is all there may be.
+  [[nodiscard]] static double weight_in(const std::vector<Proposal>& proposals) {
+    double sum = 0.0;
+    for (const Proposal& proposal : proposals) sum += proposal.weight;
+    return sum;
   }
 
   const KeyframeTrack& track_;
@@ -324,7 +368,9 @@ void PieceJoiningParams::validate() const {
   require_at_least_one(num_similar, "joining.num_similar");
   require_positive(window_m, "joining.window_m");
   require_at_least_one(min_agreeing, "joining.min_agreeing");
-  require_at_least_one(min_agreeing_across_break, "joining.min_agreeing_across_break");
+  require_positive(min_votes_across_break, "joining.min_votes_across_break");
+  require_positive(joint_sigma_m, "joining.joint_sigma_m");
+  require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
   require_positive(agreeing_m, "joining.agreeing_m");
   require_positive(agreeing_rad, "joining.agreeing_rad");
 }
