@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/motion_uncertainty.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "setsquare/core/parameter_checks.hpp"
@@ -43,7 +44,8 @@ void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
                                                           : params_.open_sigma_per_metre;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_sigma_m_ += sigma_per_metre * way_m * u * u.transpose();
+      open_sigma_m_ +=
+          std::max(sigma_per_metre * way_m, tracked.open_sigma_m) * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:

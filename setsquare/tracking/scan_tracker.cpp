@@ -166,13 +166,18 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
     const auto agreed = place_by_votes(scan, problem, fit, has_odometry);
     if (agreed) return *agreed;
   }
+  const bool is_far_unknown = long_steps_.are_usual() && !has_odometry && is_open(fit);
   if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
     is_recovered = found && found->is_far;
   }
-  return judged(problem, std::move(fit), is_recovered);
+  TrackedPose tracked = judged(problem, std::move(fit), is_recovered);
+  if (is_far_unknown && tracked.status == TrackStatus::kDegenerate) {
+    tracked.open_sigma_m = long_steps_.reach().distance_m;
+  }
+  return tracked;
 }
 
 TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicted) {
@@ -268,6 +273,7 @@ void ScanTracker::start_anew() {
 bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const {
   if (submap_.empty()) return true;
   if (tracked.status == TrackStatus::kLost) return false;  // It would stand at a guessed place.
+  if (tracked.open_sigma_m > 0.0) return true;             // How far it is off is not known.
   const auto last = std::find_if(submap_.rbegin(), submap_.rend(), [&](const KeyframePtr& kept) {
     return kept->scan.scanner == scan.scanner;
   });

@@ -26,6 +26,9 @@ struct TrackedPose {
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.
+  /// Spread of the motion along the open direction where nothing tells it: the robot may have gone
+  /// as far as it does between scans. 0 where the last motion does.
+  double open_sigma_m = 0.0;
 };
 
 }  // namespace setsquare
