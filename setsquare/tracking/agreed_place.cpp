@@ -53,10 +53,10 @@ std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
 }
 
 std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
-                                        const ExpectedStep& step,
+                                        const std::optional<ExpectedStep>& step,
                                         const PlaceVoteParams& params) {
   const auto votes_for = [&](const Pose2& place) {
-    double sum = is_within(step, place) ? kAmbiguousWeight : 0.0;
+    double sum = step && is_within(*step, place) ? kAmbiguousWeight : 0.0;
     for (const PlaceVote& vote : votes) {
       if (is_same_place(place, vote.T_odom_sensor, params)) sum += vote_weight(vote.status);
     }

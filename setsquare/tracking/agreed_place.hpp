@@ -52,7 +52,7 @@ struct ExpectedStep {
 /// reach of the expected step has as much for it as an ambiguous match gives: what makes a match
 /// ambiguous mostly lies farther away.
 [[nodiscard]] std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
-                                                      const ExpectedStep& step,
+                                                      const std::optional<ExpectedStep>& step,
                                                       const PlaceVoteParams& params);
 
 /// Whether two poses are one place.

@@ -134,6 +134,7 @@ void ScanTracker::add_step(const TrackedPose& tracked, Situation situation) {
 void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   const Placed now{
       scan.stamp,
+      tracked.T_odom_sensor,
       tracked.T_odom_body,
       tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
   if (last_.is_tracked && now.is_tracked) {
@@ -161,23 +162,23 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
-  bool is_recovered = false;
   if (long_steps_.are_expected()) {
-    const auto agreed = place_by_votes(scan, problem, fit, has_odometry);
-    if (agreed) return *agreed;
+    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+    const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
+    if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
+    if (long_steps_.are_usual() && !has_odometry) {
+      const auto along = place_along_walls(problem, votes, fit);
+      if (along) return *along;
+    }
   }
-  const bool is_far_unknown = long_steps_.are_usual() && !has_odometry && is_open(fit);
+  bool is_recovered = false;
   if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
     if (found) fit = found->fit;
     is_recovered = found && found->is_far;
   }
-  TrackedPose tracked = judged(problem, std::move(fit), is_recovered);
-  if (is_far_unknown && tracked.status == TrackStatus::kDegenerate) {
-    tracked.open_sigma_m = long_steps_.reach().distance_m;
-  }
-  return tracked;
+  return judged(problem, std::move(fit), is_recovered);
 }
 
 TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicted) {
@@ -185,8 +186,10 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   const TrackingProblem problem{
       submap_images_, points, predicted, params_.trust_in_last_motion, marks_};
   if (long_steps_.are_usual()) {
-    const auto agreed = place_by_votes(scan, problem, std::nullopt, false);
-    if (agreed) return *agreed;
+    // Among key frames a pause says nothing of how far the robot went.
+    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+    const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+    if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, std::nullopt);
   }
   const auto found = recover(
       problem, submap_, scan.surfaces(), std::nullopt, params_.recovery, params_.refinement);
@@ -195,34 +198,54 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
 }
 
-ExpectedStep ScanTracker::expected_step(const TrackingProblem& problem, bool has_odometry) const {
-  if (has_odometry) {
-    return {problem.T_odom_predicted, params_.recovery.near_m, params_.recovery.near_rad};
-  }
+ExpectedStep ScanTracker::expected_step(const Pose2& predicted, bool has_odometry) const {
+  if (has_odometry) return {predicted, params_.recovery.near_m, params_.recovery.near_rad};
   const StepReach reach = long_steps_.reach();
-  return {last_.T_odom_body, reach.distance_m, reach.turn_rad};
+  return {last_.T_odom_sensor, reach.distance_m, reach.turn_rad};
 }
 
-std::optional<TrackedPose> ScanTracker::place_by_votes(ArrivedScan& scan,
-                                                       const TrackingProblem& problem,
-                                                       const std::optional<SubmapFit>& tracked,
-                                                       bool has_odometry) {
-  const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
-  const auto agreed = agreed_place(votes, tracked ? expected_step(problem, has_odometry) : ExpectedStep{}, params_.votes);
-  if (!agreed) return std::nullopt;
-  const Pose2& place = agreed->T_odom_sensor;
-  if (tracked && tracked->alignment.score() >= least_score(*tracked) &&
-      is_same_place(place, tracked->T_odom_sensor, params_.votes)) {
-    return judged(problem, *tracked, false);
-  }
+TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
+                                         const Pose2& place,
+                                         const std::optional<SubmapFit>& tracked) {
+  const bool is_where_expected =
+      tracked && tracked->alignment.score() >= least_score(*tracked) &&
+      is_same_place(place, tracked->T_odom_sensor, params_.votes);
+  if (is_where_expected) return judged(problem, *tracked, false);
   const TrackingProblem at_place{
       problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
   SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
   if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
-  return TrackedPose{.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
-                     .T_odom_sensor = fit.T_odom_sensor,
-                     .score = fit.alignment.score(),
-                     .open = fit.open};
+  return {.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
+          .T_odom_sensor = fit.T_odom_sensor,
+          .score = fit.alignment.score(),
+          .open = fit.open};
+}
+
+std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem& problem,
+                                                          std::span<const PlaceVote> votes,
+                                                          const SubmapFit& tracked) {
+  const StepReach reach = long_steps_.reach();
+  SubmapFit best = tracked;
+  const auto try_heading = [&](double heading_rad) {
+    if (std::abs(wrap_to_pi(heading_rad - last_.T_odom_sensor.theta_rad)) > reach.turn_rad) return;
+    const Pose2 start{
+        problem.T_odom_predicted.x_m, problem.T_odom_predicted.y_m, wrap_to_pi(heading_rad)};
+    const SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
+    if (fit.alignment.score() > best.alignment.score()) best = fit;
+  };
+  for (const PlaceVote& vote : votes) {
+    if (vote.status != MatchStatus::kDegenerate) continue;
+    try_heading(vote.T_odom_sensor.theta_rad);
+    try_heading(vote.T_odom_sensor.theta_rad + kPi);
+  }
+  if (!is_open(best) || best.alignment.score() < params_.recovery.below_score_if_open) {
+    return std::nullopt;
+  }
+  return TrackedPose{.status = TrackStatus::kDegenerate,
+                     .T_odom_sensor = best.T_odom_sensor,
+                     .score = best.alignment.score(),
+                     .open = best.open,
+                     .open_sigma_m = reach.distance_m};
 }
 
 TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered) {

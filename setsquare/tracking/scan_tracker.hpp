@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
@@ -76,14 +77,20 @@ class ScanTracker {
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
-  /// The scan at the place that keyframes agree upon, matched with it one by one; nothing where
-  /// they do not. `tracked`: the fit about the predicted pose.
-  [[nodiscard]] std::optional<TrackedPose> place_by_votes(ArrivedScan& scan,
-                                                          const TrackingProblem& problem,
-                                                          const std::optional<SubmapFit>& tracked,
-                                                          bool has_odometry);
   /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
-  [[nodiscard]] ExpectedStep expected_step(const TrackingProblem& problem, bool has_odometry) const;
+  [[nodiscard]] ExpectedStep expected_step(const Pose2& predicted, bool has_odometry) const;
+  /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the
+  /// fit about the predicted pose, which stays where it is the same place.
+  TrackedPose place_as_agreed(const TrackingProblem& problem,
+                              const Pose2& place,
+                              const std::optional<SubmapFit>& tracked);
+  /// The scan where its walls fit, though nothing tells how far it is along them: among key frames
+  /// in a corridor the last motion does not. Its heading, unless that was predicted, is what the
+  /// keyframes' matches tell, which do not tell one way along a corridor from the other; a robot
+  /// that does not turn that far does. Nothing where the walls fit nowhere, or determine the place.
+  [[nodiscard]] std::optional<TrackedPose> place_along_walls(const TrackingProblem& problem,
+                                                             std::span<const PlaceVote> votes,
+                                                             const SubmapFit& tracked);
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
   /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
@@ -120,6 +127,7 @@ class ScanTracker {
   /// Of the last scan.
   struct Placed {
     Timestamp stamp;
+    Pose2 T_odom_sensor;
     Pose2 T_odom_body;
     bool is_tracked = false;   ///< Without a jump.
   } last_;
