@@ -175,8 +175,9 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
   if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
-    if (found) fit = found->fit;
-    is_recovered = found && found->is_far;
+    const bool is_believed = found && (!found->is_far || is_seconded(scan, found->fit));
+    if (is_believed) fit = found->fit;
+    is_recovered = is_believed && found->is_far;
   }
   return judged(problem, std::move(fit), is_recovered);
 }
@@ -193,9 +194,16 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   }
   const auto found = recover(
       problem, submap_, scan.surfaces(), std::nullopt, params_.recovery, params_.refinement);
-  if (found) return judged(problem, found->fit, found->is_far);
+  if (found && is_seconded(scan, found->fit)) return judged(problem, found->fit, found->is_far);
   const SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
+}
+
+bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
+  const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+  const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+  return agreed && agreed->votes >= params_.votes.min_votes_for_jump &&
+         is_same_place(agreed->T_odom_sensor, found.T_odom_sensor, params_.votes);
 }
 
 ExpectedStep ScanTracker::expected_step(const Pose2& predicted, bool has_odometry) const {

@@ -77,6 +77,8 @@ class ScanTracker {
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
+  /// Whether several keyframes agree upon a place that is far from the expected one.
+  [[nodiscard]] bool is_seconded(ArrivedScan& scan, const SubmapFit& found);
   /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
   [[nodiscard]] ExpectedStep expected_step(const Pose2& predicted, bool has_odometry) const;
   /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the

@@ -57,6 +57,7 @@ void PlaceVoteParams::validate() const {
   require_at_least_one(num_keyframes, "votes.num_keyframes");
   require_positive(same_m, "votes.same_m");
   require_positive(same_rad, "votes.same_rad");
+  require_not_negative(min_votes_for_jump, "votes.min_votes_for_jump");
 }
 
 void ScanTrackerParams::validate() const {

@@ -116,6 +116,7 @@ struct PlaceVoteParams {
   std::size_t num_keyframes = 4;  ///< Asked, the latest.
   double same_m = 0.3;            ///< Poses nearer than this ...
   double same_rad = 0.1;          ///< ... and this to each other are one place.
+  double min_votes_for_jump = 1.5;  ///< For a place far from the expected one.
 
   /// Throws ParameterError that names the field.
   void validate() const;
