@@ -44,8 +44,7 @@ void MotionUncertainty::add(const TrackedPose& tracked, std::uint32_t scanner) {
                                                           : params_.open_sigma_per_metre;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_sigma_m_ +=
-          std::max(sigma_per_metre * way_m, tracked.open_sigma_m) * u * u.transpose();
+      open_sigma_m_ += std::max(sigma_per_metre * way_m, tracked.open_sigma_m) * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:

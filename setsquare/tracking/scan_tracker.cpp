@@ -81,8 +81,9 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = has_odometry;
   count_lost(tracked.status, situation);
-  tracked.is_restart = is_restart(situation);
+  tracked.is_restart = is_restart(situation, tracked.T_odom_body);
   if (tracked.is_restart) start_anew();
+  if (num_lost_ == 0) T_odom_body_placed_ = tracked.T_odom_body;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
@@ -138,7 +139,9 @@ void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
       tracked.T_odom_body,
       tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
   if (last_.is_tracked && now.is_tracked) {
-    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
+    gyro_.compare(last_.stamp,
+                  now.stamp,
+                  wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
   }
   last_ = now;
 }
@@ -175,7 +178,8 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
   if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
-    const bool is_believed = found && (!found->is_far || is_seconded(scan, found->fit));
+    const bool is_believed = found && (!found->is_far || (is_within_reach(found->fit, predicted) &&
+                                                          is_seconded(scan, found->fit)));
     if (is_believed) fit = found->fit;
     is_recovered = is_believed && found->is_far;
   }
@@ -199,6 +203,12 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
 }
 
+bool ScanTracker::is_within_reach(const SubmapFit& found, const Pose2& predicted) const {
+  const double num_steps = 1.0 + static_cast<double>(num_lost_);
+  const Eigen::Vector2d off = found.T_odom_sensor.translation() - predicted.translation();
+  return off.norm() <= num_steps * long_steps_.reach().distance_m;
+}
+
 bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
   const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
   const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
@@ -215,9 +225,8 @@ ExpectedStep ScanTracker::expected_step(const Pose2& predicted, bool has_odometr
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
                                          const Pose2& place,
                                          const std::optional<SubmapFit>& tracked) {
-  const bool is_where_expected =
-      tracked && tracked->alignment.score() >= least_score(*tracked) &&
-      is_same_place(place, tracked->T_odom_sensor, params_.votes);
+  const bool is_where_expected = tracked && tracked->alignment.score() >= least_score(*tracked) &&
+                                 is_same_place(place, tracked->T_odom_sensor, params_.votes);
   if (is_where_expected) return judged(problem, *tracked, false);
   const TrackingProblem at_place{
       problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
@@ -287,10 +296,15 @@ void ScanTracker::count_lost(TrackStatus status, Situation situation) {
   num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
 }
 
-bool ScanTracker::is_restart(Situation situation) const {
+bool ScanTracker::is_restart(Situation situation, const Pose2& T_odom_body) const {
   if (!is_evidence(situation)) return false;
-  return num_lost_ >= params_.max_lost_scans ||
-         (num_lost_ > 0 && (situation == Situation::kAnywhere || long_steps_.are_usual()));
+  if (num_lost_ == 0) return false;
+  if (situation == Situation::kAnywhere || long_steps_.are_usual()) return true;
+  if (num_lost_ < params_.max_lost_scans) return false;
+  const Pose2 moved = T_odom_body_placed_.inverse() * T_odom_body;
+  return num_lost_ >= params_.max_lost_at_rest ||
+         std::hypot(moved.x_m, moved.y_m) > params_.max_lost_m ||
+         std::abs(moved.theta_rad) > params_.max_lost_rad;
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.

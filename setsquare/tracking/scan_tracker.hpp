@@ -77,6 +77,8 @@ class ScanTracker {
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
+  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
+  [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
   /// Whether several keyframes agree upon a place that is far from the expected one.
   [[nodiscard]] bool is_seconded(ArrivedScan& scan, const SubmapFit& found);
   /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
@@ -103,8 +105,8 @@ class ScanTracker {
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
   /// the submap.
   void count_lost(TrackStatus status, Situation situation);
-  /// Whether the submap restarts with the scan that was counted last.
-  [[nodiscard]] bool is_restart(Situation situation) const;
+  /// Whether the submap restarts with the scan that was counted last, at `T_odom_body`.
+  [[nodiscard]] bool is_restart(Situation situation, const Pose2& T_odom_body) const;
   void start_anew();
   /// The step to the scan that was placed last, for what comes.
   void add_step(const TrackedPose& tracked, Situation situation);
@@ -131,9 +133,10 @@ class ScanTracker {
     Timestamp stamp;
     Pose2 T_odom_sensor;
     Pose2 T_odom_body;
-    bool is_tracked = false;   ///< Without a jump.
+    bool is_tracked = false;  ///< Without a jump.
   } last_;
   std::size_t num_scans_ = 0;
+  Pose2 T_odom_body_placed_;  ///< At the last scan that was not lost, of those that see enough.
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };
 

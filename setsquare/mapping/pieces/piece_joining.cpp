@@ -32,7 +32,7 @@ struct Proposal {
   std::size_t sought = 0;  ///< Keyframe of a piece that is to be joined to the former's.
   bool is_verified = false;
   double weight = 0.0;  ///< Of a match across a break: vote_weight().
-  Pose2 T_map_piece;  ///< How all that hangs together with the sought one would move.
+  Pose2 T_map_piece;    ///< How all that hangs together with the sought one would move.
   ComparedPlaces places;
 };
 
@@ -165,10 +165,8 @@ class PieceJoiner {
 
   bool join_anywhere(std::size_t group, std::size_t main) {
     if (places_of(group).size() < params_.min_agreeing) return false;
-    const std::vector<Proposal> agreed =
-        most_agreed(verified(propose(group, main)),
-                    &places_in,
-                    static_cast<double>(params_.min_agreeing));
+    const std::vector<Proposal> agreed = most_agreed(
+        verified(propose(group, main)), &places_in, static_cast<double>(params_.min_agreeing));
     if (agreed.empty()) return false;
     merge(group, main, agreed);
     return true;
@@ -258,8 +256,8 @@ class PieceJoiner {
       proposal.places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
       proposal.places.score = match.score;
       proposal.places.contradiction = match.contradiction;
-      proposal.T_map_piece = T_map_known * *match.T_reference_current *
-                             T_map_sensor_[proposal.sought].inverse();
+      proposal.T_map_piece =
+          T_map_known * *match.T_reference_current * T_map_sensor_[proposal.sought].inverse();
       matched.push_back(proposal);
     }
     return matched;
@@ -353,9 +351,9 @@ class PieceJoiner {
   const LoopCloserParams& closing_;
   const PieceJoiningParams& params_;
   std::size_t num_threads_;
-  std::size_t half_width_;                                            ///< Of submaps, in keyframes.
-  std::vector<std::vector<Place>> places_;                            ///< By piece.
-  std::vector<std::size_t> groups_;  ///< By piece: those of one group hang together.
+  std::size_t half_width_;                  ///< Of submaps, in keyframes.
+  std::vector<std::vector<Place>> places_;  ///< By piece.
+  std::vector<std::size_t> groups_;         ///< By piece: those of one group hang together.
   std::map<std::pair<std::size_t, std::size_t>, Proposal> verified_;  ///< By known and sought.
   std::map<std::size_t, PreparedScan> prepared_;                      ///< By keyframe.
   JoinedPieces joined_;
