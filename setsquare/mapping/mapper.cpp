@@ -46,17 +46,17 @@ std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headin
 }
 
 /// The evidence with what the joints add to it: pieces that were joined are turned as a whole, and
-/// the rotation from one to the next is known again.
+/// the rotation from one to the next is known again. Pieces in between that were not joined are
+/// left out of the map; of the building's walls they say nothing, for nobody knows how they lie.
 std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evidence,
                                                 const KeyframeTrack& track,
                                                 const JoinedPieces& joined) {
   for (std::size_t k = 0; k < track.size(); ++k) {
     const std::size_t piece = track.pieces[k];
     evidence[k].tracked_heading_rad += joined.turn_rad[piece];
+    if (!joined.is_joined[piece]) evidence[k].proposals.clear();
     const bool is_begin = k > 0 && track.pieces[k - 1] != piece;
-    if (is_begin && joined.is_joined[piece] && joined.is_joined[piece - 1]) {
-      evidence[k].step_sigma_rad = kJointSigma_rad;
-    }
+    if (is_begin) evidence[k].step_sigma_rad = kJointSigma_rad;
   }
   return evidence;
 }

@@ -82,12 +82,16 @@ struct LoopCloserParams {
 
 /// Parameters of join_pieces.
 struct PieceJoiningParams {
-  std::size_t max_num_queries = 40;         ///< Places of a piece that are looked for.
-  std::size_t num_similar = 12;             ///< Places elsewhere that each is compared with.
-  double window_m = 0.5;                    ///< Of the submaps about a match of two scans.
-  std::size_t min_agreeing = 3;             ///< Places that must agree ...
-  double agreeing_m = 0.5;                  ///< ... on where the piece lies ...
-  double agreeing_rad = rad_from_deg(3.0);  ///< ... and how it is turned.
+  std::size_t max_num_queries = 40;     ///< Places of a piece that are looked for.
+  std::size_t num_similar = 12;         ///< Places elsewhere that each is compared with.
+  double window_m = 0.5;                ///< Of the submaps about a match of two scans.
+  std::size_t min_agreeing = 3;         ///< Places that must agree ...
+  std::size_t num_across_break = 4;     ///< Keyframes either side of a break that are matched ...
+  double min_votes_across_break = 1.5;  ///< ... and votes that must agree (vote_weight).
+  double joint_sigma_m = 0.05;          ///< Of such a match, in position ...
+  double joint_sigma_rad = rad_from_deg(1.5);  ///< ... and heading.
+  double agreeing_m = 0.5;                     ///< ... on where the piece lies ...
+  double agreeing_rad = rad_from_deg(3.0);     ///< ... and how it is turned.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -58,7 +58,8 @@ void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep)
       if (!has_last_) break;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_sigma_m_ += open_sigma_m(tracked, seconds) * u * u.transpose();
+      open_sigma_m_ +=
+          std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m) * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:

@@ -27,8 +27,9 @@ std::optional<Pose2> OdometryWatch::believed(const Scan& scan,
     return T_wheels_base;
   }
   ++rest_->num_scans;
-  if (!rest_->is_moved && rest_->num_scans >= kLongRest) {
+  if (!rest_->is_moved && (has_hung_ || rest_->num_scans >= kLongRest)) {
     rest_->is_moved = unchanged_share(rest_->scan, scan).value_or(1.0) < kLeastUnchanged;
+    has_hung_ = has_hung_ || rest_->is_moved;
   }
   return rest_->is_moved ? std::nullopt : T_wheels_base;
 }

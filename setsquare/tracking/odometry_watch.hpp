@@ -18,7 +18,8 @@ namespace setsquare {
 class OdometryWatch {
  public:
   /// The pose, or nothing where it is no odometry: beyond 10 000 km, or the same to the last digit
-  /// for ten scans or more while half of what the scans see has changed.
+  /// for ten scans or more while half of what the scans see has changed. A counter that has hung
+  /// once is not given ten scans again.
   [[nodiscard]] std::optional<Pose2> believed(const Scan& scan,
                                               const std::optional<Pose2>& T_wheels_base);
 
@@ -32,6 +33,7 @@ class OdometryWatch {
   };
 
   std::optional<Rest> rest_;
+  bool has_hung_ = false;
 };
 
 }  // namespace setsquare

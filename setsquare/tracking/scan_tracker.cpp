@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
@@ -44,7 +45,11 @@ class ScanTracker::ArrivedScan {
 };
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
-    : params_(params), motion_(params.num_scans_averaged), gap_(params.gap), gyro_(params.gyro) {
+    : params_(params),
+      motion_(params.num_scans_averaged),
+      gap_(params.gap),
+      gyro_(params.gyro),
+      long_steps_(params.long_steps) {
   params_.validate();
 }
 
@@ -76,12 +81,14 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = has_odometry;
   count_lost(tracked.status, situation);
-  tracked.is_restart = is_restart(situation);
+  tracked.is_restart = is_restart(situation, tracked.T_odom_body);
   if (tracked.is_restart) start_anew();
+  if (num_lost_ == 0) T_odom_body_placed_ = tracked.T_odom_body;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
+  add_step(tracked, situation);
   compare_gyro(scan, tracked);
   ++num_scans_;
   return tracked;
@@ -120,13 +127,21 @@ Pose2 ScanTracker::expected_body(const Scan& scan,
                       gyro_.turn_rad(last_.stamp, scan.stamp));
 }
 
+void ScanTracker::add_step(const TrackedPose& tracked, Situation situation) {
+  if (situation != Situation::kExpected || tracked.status == TrackStatus::kLost) return;
+  long_steps_.add(last_.T_odom_body.inverse() * tracked.T_odom_body);
+}
+
 void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   const Placed now{
       scan.stamp,
-      tracked.T_odom_body.theta_rad,
+      tracked.T_odom_sensor,
+      tracked.T_odom_body,
       tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
   if (last_.is_tracked && now.is_tracked) {
-    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.heading_rad - last_.heading_rad));
+    gyro_.compare(last_.stamp,
+                  now.stamp,
+                  wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
   }
   last_ = now;
 }
@@ -150,16 +165,23 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
-  // In a bare corridor the walls fit; where they leave a direction open and do not, the place is
-  // wrong.
-  const double least_score =
-      is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
+  if (long_steps_.are_expected()) {
+    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+    const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
+    if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
+    if (long_steps_.are_usual() && !has_odometry) {
+      const auto along = place_along_walls(problem, votes, fit);
+      if (along) return *along;
+    }
+  }
   bool is_recovered = false;
-  if (fit.alignment.score() < least_score) {
+  if (fit.alignment.score() < least_score(fit)) {
     const auto found =
         recover(problem, submap_, scan.surfaces(), fit, params_.recovery, params_.refinement);
-    if (found) fit = found->fit;
-    is_recovered = found && found->is_far;
+    const bool is_believed = found && (!found->is_far || (is_within_reach(found->fit, predicted) &&
+                                                          is_seconded(scan, found->fit)));
+    if (is_believed) fit = found->fit;
+    is_recovered = is_believed && found->is_far;
   }
   return judged(problem, std::move(fit), is_recovered);
 }
@@ -168,11 +190,81 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
   const SurfaceSamples points = scan.all_points();
   const TrackingProblem problem{
       submap_images_, points, predicted, params_.trust_in_last_motion, marks_};
+  if (long_steps_.are_usual()) {
+    // Among key frames a pause says nothing of how far the robot went.
+    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+    const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+    if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, std::nullopt);
+  }
   const auto found = recover(
       problem, submap_, scan.surfaces(), std::nullopt, params_.recovery, params_.refinement);
-  if (found) return judged(problem, found->fit, found->is_far);
+  if (found && is_seconded(scan, found->fit)) return judged(problem, found->fit, found->is_far);
   const SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
   return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = fit.open};
+}
+
+bool ScanTracker::is_within_reach(const SubmapFit& found, const Pose2& predicted) const {
+  const double num_steps = 1.0 + static_cast<double>(num_lost_);
+  const Eigen::Vector2d off = found.T_odom_sensor.translation() - predicted.translation();
+  return off.norm() <= num_steps * long_steps_.reach().distance_m;
+}
+
+bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
+  const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+  const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+  return agreed && agreed->votes >= params_.votes.min_votes_for_jump &&
+         is_same_place(agreed->T_odom_sensor, found.T_odom_sensor, params_.votes);
+}
+
+ExpectedStep ScanTracker::expected_step(const Pose2& predicted, bool has_odometry) const {
+  if (has_odometry) return {predicted, params_.recovery.near_m, params_.recovery.near_rad};
+  const StepReach reach = long_steps_.reach();
+  return {last_.T_odom_sensor, reach.distance_m, reach.turn_rad};
+}
+
+TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
+                                         const Pose2& place,
+                                         const std::optional<SubmapFit>& tracked) {
+  const bool is_where_expected = tracked && tracked->alignment.score() >= least_score(*tracked) &&
+                                 is_same_place(place, tracked->T_odom_sensor, params_.votes);
+  if (is_where_expected) return judged(problem, *tracked, false);
+  const TrackingProblem at_place{
+      problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
+  SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
+  if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
+  return {.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
+          .T_odom_sensor = fit.T_odom_sensor,
+          .score = fit.alignment.score(),
+          .open = fit.open,
+          .open_bound_share = params_.refinement.bound_share(fit.open.effective_points)};
+}
+
+std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem& problem,
+                                                          std::span<const PlaceVote> votes,
+                                                          const SubmapFit& tracked) {
+  const StepReach reach = long_steps_.reach();
+  SubmapFit best = tracked;
+  const auto try_heading = [&](double heading_rad) {
+    if (std::abs(wrap_to_pi(heading_rad - last_.T_odom_sensor.theta_rad)) > reach.turn_rad) return;
+    const Pose2 start{
+        problem.T_odom_predicted.x_m, problem.T_odom_predicted.y_m, wrap_to_pi(heading_rad)};
+    const SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
+    if (fit.alignment.score() > best.alignment.score()) best = fit;
+  };
+  for (const PlaceVote& vote : votes) {
+    if (vote.status != MatchStatus::kDegenerate) continue;
+    try_heading(vote.T_odom_sensor.theta_rad);
+    try_heading(vote.T_odom_sensor.theta_rad + kPi);
+  }
+  if (!is_open(best) || best.alignment.score() < params_.recovery.below_score_if_open) {
+    return std::nullopt;
+  }
+  return TrackedPose{.status = TrackStatus::kDegenerate,
+                     .T_odom_sensor = best.T_odom_sensor,
+                     .score = best.alignment.score(),
+                     .open = best.open,
+                     .open_bound_share = params_.refinement.bound_share(best.open.effective_points),
+                     .open_sigma_m = reach.distance_m};
 }
 
 TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered) {
@@ -194,6 +286,10 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
           .open_bound_share = params_.refinement.bound_share(fit.open.effective_points)};
 }
 
+double ScanTracker::least_score(const SubmapFit& fit) const {
+  return is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
+}
+
 bool ScanTracker::is_open(const SubmapFit& fit) const {
   return fit.open.effective_points < params_.refinement.min_effective_points;
 }
@@ -203,22 +299,29 @@ void ScanTracker::count_lost(TrackStatus status, Situation situation) {
   num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
 }
 
-bool ScanTracker::is_restart(Situation situation) const {
+bool ScanTracker::is_restart(Situation situation, const Pose2& T_odom_body) const {
   if (!is_evidence(situation)) return false;
-  return num_lost_ >= params_.max_lost_scans ||
-         (num_lost_ > 0 && situation == Situation::kAnywhere);
+  if (num_lost_ == 0) return false;
+  if (situation == Situation::kAnywhere || long_steps_.are_usual()) return true;
+  if (num_lost_ < params_.max_lost_scans) return false;
+  const Pose2 moved = T_odom_body_placed_.inverse() * T_odom_body;
+  return num_lost_ >= params_.max_lost_at_rest ||
+         std::hypot(moved.x_m, moved.y_m) > params_.max_lost_m ||
+         std::abs(moved.theta_rad) > params_.max_lost_rad;
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.
 void ScanTracker::start_anew() {
   submap_.clear();
   submap_images_.clear();
+  prepared_.clear();
   num_lost_ = 0;
 }
 
 bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const {
   if (submap_.empty()) return true;
   if (tracked.status == TrackStatus::kLost) return false;  // It would stand at a guessed place.
+  if (tracked.open_sigma_m > 0.0) return true;             // How far it is off is not known.
   const auto last = std::find_if(submap_.rbegin(), submap_.rend(), [&](const KeyframePtr& kept) {
     return kept->scan.scanner == scan.scanner;
   });
@@ -238,6 +341,7 @@ void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Tracked
   if (submap_.size() >= params_.num_keyframes * std::max<std::size_t>(1, num_scanners())) {
     submap_.erase(submap_.begin());
     submap_images_.erase(submap_images_.begin());
+    prepared_.drop_first();
   }
   submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
                                                         .T_odom_sensor = tracked.T_odom_sensor,
@@ -245,6 +349,7 @@ void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Tracked
                                                         .scan = scan,
                                                         .surfaces = std::move(surfaces)}));
   submap_images_.push_back({&submap_.back()->image(), tracked.T_odom_sensor});
+  prepared_.add(submap_.back());
 }
 
 }  // namespace setsquare

@@ -3,12 +3,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
+#include "setsquare/tracking/long_steps.hpp"
 #include "setsquare/tracking/motion_prediction.hpp"
+#include "setsquare/tracking/prepared_keyframes.hpp"
 #include "setsquare/tracking/repeated_scan.hpp"
 #include "setsquare/tracking/scan_gap.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
@@ -73,16 +77,39 @@ class ScanTracker {
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
+  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
+  [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
+  /// Whether several keyframes agree upon a place that is far from the expected one.
+  [[nodiscard]] bool is_seconded(ArrivedScan& scan, const SubmapFit& found);
+  /// Where a scan may be by the robot's motion alone: by the odometry, or as far as it went lately.
+  [[nodiscard]] ExpectedStep expected_step(const Pose2& predicted, bool has_odometry) const;
+  /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the
+  /// fit about the predicted pose, which stays where it is the same place.
+  TrackedPose place_as_agreed(const TrackingProblem& problem,
+                              const Pose2& place,
+                              const std::optional<SubmapFit>& tracked);
+  /// The scan where its walls fit, though nothing tells how far it is along them: among key frames
+  /// in a corridor the last motion does not. Its heading, unless that was predicted, is what the
+  /// keyframes' matches tell, which do not tell one way along a corridor from the other; a robot
+  /// that does not turn that far does. Nothing where the walls fit nowhere, or determine the place.
+  [[nodiscard]] std::optional<TrackedPose> place_along_walls(const TrackingProblem& problem,
+                                                             std::span<const PlaceVote> votes,
+                                                             const SubmapFit& tracked);
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
+  /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
+  /// a direction open and do not, the place is wrong.
+  [[nodiscard]] double least_score(const SubmapFit& fit) const;
   /// Whether a direction is open.
   [[nodiscard]] bool is_open(const SubmapFit& fit) const;
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
   /// the submap.
   void count_lost(TrackStatus status, Situation situation);
-  /// Whether the submap restarts with the scan that was counted last.
-  [[nodiscard]] bool is_restart(Situation situation) const;
+  /// Whether the submap restarts with the scan that was counted last, at `T_odom_body`.
+  [[nodiscard]] bool is_restart(Situation situation, const Pose2& T_odom_body) const;
   void start_anew();
+  /// The step to the scan that was placed last, for what comes.
+  void add_step(const TrackedPose& tracked, Situation situation);
   /// Compares the gyro with the turn from the last scan to this one, where both were tracked.
   void compare_gyro(const Scan& scan, const TrackedPose& tracked);
   [[nodiscard]] bool is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const;
@@ -98,14 +125,18 @@ class ScanTracker {
   Pose2 T_base_body_;
   std::vector<KeyframePtr> submap_;
   std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.
+  PreparedKeyframes prepared_;              ///< The same keyframes.
+  LongSteps long_steps_;
   PointMarks marks_;
-  /// Of the last scan: by it the gyro's turns are told apart.
+  /// Of the last scan.
   struct Placed {
     Timestamp stamp;
-    double heading_rad = 0.0;  ///< Of the body.
-    bool is_tracked = false;   ///< Without a jump.
+    Pose2 T_odom_sensor;
+    Pose2 T_odom_body;
+    bool is_tracked = false;  ///< Without a jump.
   } last_;
   std::size_t num_scans_ = 0;
+  Pose2 T_odom_body_placed_;  ///< At the last scan that was not lost, of those that see enough.
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };
 

@@ -60,6 +60,13 @@ void RecoveryParams::validate() const {
   require_positive(near_rad, "recovery.near_rad");
 }
 
+void PlaceVoteParams::validate() const {
+  require_at_least_one(num_keyframes, "votes.num_keyframes");
+  require_positive(same_m, "votes.same_m");
+  require_positive(same_rad, "votes.same_rad");
+  require_not_negative(min_votes_for_jump, "votes.min_votes_for_jump");
+}
+
 void ScanTrackerParams::validate() const {
   require_at_least_one(num_keyframes, "num_keyframes");
   require_at_least_one(num_scans_averaged, "num_scans_averaged");
@@ -69,12 +76,17 @@ void ScanTrackerParams::validate() const {
   refinement.validate();
   corridor.validate();
   recovery.validate();
+  long_steps.validate();
+  votes.validate();
   gap.validate();
   gyro.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");
   require_at_least_one(max_lost_scans, "max_lost_scans");
+  require_positive(max_lost_m, "max_lost_m");
+  require_positive(max_lost_rad, "max_lost_rad");
+  require_at_least_one(max_lost_at_rest, "max_lost_at_rest");
   require_at_least_one(min_points, "min_points");
 }
 

@@ -100,6 +100,31 @@ struct RecoveryParams {
   void validate() const;
 };
 
+/// Parameters of LongSteps.
+struct LongStepParams {
+  double long_m = 0.3;                   ///< Farther than this, or ...
+  double long_rad = rad_from_deg(10.0);  ///< ... turned by more, is a long step from scan to scan.
+  std::size_t num_steps = 10;            ///< Of the latest steps ...
+  std::size_t min_long = 3;              ///< ... this many long ones let the matcher lead.
+  double least_reach_m = 1.5;            ///< The next step may be as long as this, and turn ...
+  double least_reach_rad = rad_from_deg(60.0);  ///< ... by this, ...
+  double reach_per_step = 1.3;                  ///< ... or so many times what the latest did.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of place_votes and agreed_place.
+struct PlaceVoteParams {
+  std::size_t num_keyframes = 4;    ///< Asked, the latest.
+  double same_m = 0.3;              ///< Poses nearer than this ...
+  double same_rad = 0.1;            ///< ... and this to each other are one place.
+  double min_votes_for_jump = 1.5;  ///< For a place far from the expected one.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the scan tracker.
 struct ScanTrackerParams {
   std::size_t num_keyframes = 8;     ///< In the submap, the latest of each scanner.
@@ -111,13 +136,18 @@ struct ScanTrackerParams {
   SubmapRefinementParams refinement;
   CorridorSearchParams corridor;
   RecoveryParams recovery;
+  LongStepParams long_steps;
+  PlaceVoteParams votes;
   ScanGapParams gap;
   GyroParams gyro;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
-  /// After this many lost scans in a row the submap restarts at the predicted pose.
+  /// After this many lost scans in a row the submap restarts at the predicted pose, once ...
   std::size_t max_lost_scans = 5;
+  double max_lost_m = 1.0;                   ///< ... the robot has gone this far meanwhile, ...
+  double max_lost_rad = rad_from_deg(30.0);  ///< ... or turned by this, ...
+  std::size_t max_lost_at_rest = 50;  ///< ... or so many are lost: who stood in the way has gone.
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -14,6 +15,7 @@
 #include "setsquare/mapping/pieces/place_signature.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
+#include "setsquare/tracking/agreed_place.hpp"
 
 namespace setsquare {
 namespace {
@@ -26,12 +28,20 @@ struct Place {
 
 /// Two places that may be the same and, where they are, how.
 struct Proposal {
-  std::size_t known = 0;   ///< Keyframe of a joined piece.
-  std::size_t sought = 0;  ///< Keyframe of the piece that is sought.
+  std::size_t known = 0;   ///< Keyframe.
+  std::size_t sought = 0;  ///< Keyframe of a piece that is to be joined to the former's.
   bool is_verified = false;
-  Pose2 T_map_piece;  ///< How the whole piece would move.
+  double weight = 0.0;  ///< Of a match across a break: vote_weight().
+  Pose2 T_map_piece;    ///< How all that hangs together with the sought one would move.
   ComparedPlaces places;
 };
+
+/// Of a joint by the match of two scans.
+Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params) {
+  const double per_m2 = 1.0 / (params.joint_sigma_m * params.joint_sigma_m);
+  const double per_rad2 = 1.0 / (params.joint_sigma_rad * params.joint_sigma_rad);
+  return Eigen::Vector3d(per_m2, per_m2, per_rad2).asDiagonal();
+}
 
 class PieceJoiner {
  public:
@@ -48,6 +58,8 @@ class PieceJoiner {
         half_width_(closing.submap_half_width * track.num_scanners()) {
     const std::size_t num_pieces = track.pieces.empty() ? 0 : track.pieces.back() + 1;
     places_.resize(num_pieces);
+    groups_.resize(num_pieces);
+    std::iota(groups_.begin(), groups_.end(), std::size_t{0});
     joined_.turn_rad.assign(num_pieces, 0.0);
     joined_.is_joined.assign(num_pieces, false);
     const std::size_t spacing = closing.station_spacing * track.num_scanners();
@@ -56,49 +68,118 @@ class PieceJoiner {
 
   JoinedPieces join_all() {
     if (places_.empty()) return joined_;
-    const auto largest =
-        std::max_element(places_.begin(), places_.end(), [](const auto& a, const auto& b) {
-          return a.size() < b.size();
-        });
-    joined_.is_joined[static_cast<std::size_t>(largest - places_.begin())] = true;
-    // A piece that finds no place may find one when others have been joined.
+    for (std::size_t k = 1; k < track_.size(); ++k) {
+      if (track_.pieces[k] != track_.pieces[k - 1]) join_across_break(k);
+    }
+    const std::size_t main = largest_group();
+    // A group that finds no place may find one when others have been joined.
     for (bool has_grown = true; has_grown;) {
       has_grown = false;
-      for (std::size_t piece = 0; piece < places_.size(); ++piece) {
-        if (!joined_.is_joined[piece] && join(piece)) has_grown = true;
+      for (const std::size_t group : groups_besides(main)) {
+        if (join_anywhere(group, main)) has_grown = true;
       }
     }
+    for (std::size_t piece = 0; piece < groups_.size(); ++piece) {
+      joined_.is_joined[piece] = groups_[piece] == main;
+    }
+    std::erase_if(joined_.joints, [&](const ComparedPlaces& joint) {
+      return !joined_.is_joined[track_.pieces[joint.from]];
+    });
     return joined_;
   }
 
  private:
+  using Votes = double (*)(const std::vector<Proposal>&);
+
   void add_place(std::size_t keyframe) {
     const Submap submap = make_submap(track_, T_map_sensor_, keyframe, half_width_);
     places_[track_.pieces[keyframe]].push_back(
         {keyframe, place_signature(submap.fine, T_map_sensor_[keyframe].theta_rad)});
   }
 
-  bool join(std::size_t piece) {
-    if (places_[piece].size() < params_.min_agreeing) return false;
-    const std::vector<Proposal> agreed = most_agreed(verified(propose(piece)));
-    if (agreed.empty()) return false;
-    joined_.is_joined[piece] = true;
-    joined_.turn_rad[piece] = tracked_turn_rad(agreed);
-    for (const Proposal& proposal : agreed) joined_.joints.push_back(proposal.places);
-    for (std::size_t k = 0; k < track_.size(); ++k) {
-      if (track_.pieces[k] != piece) continue;
-      T_map_sensor_[k] = agreed.front().T_map_piece * T_map_sensor_[k];
+  [[nodiscard]] std::size_t group_of(std::size_t keyframe) const {
+    return groups_[track_.pieces[keyframe]];
+  }
+
+  /// The places of the group's pieces.
+  [[nodiscard]] std::vector<Place> places_of(std::size_t group) const {
+    std::vector<Place> places;
+    for (std::size_t piece = 0; piece < places_.size(); ++piece) {
+      if (groups_[piece] != group) continue;
+      places.insert(places.end(), places_[piece].begin(), places_[piece].end());
     }
+    return places;
+  }
+
+  /// The group with the most places, the earliest of several.
+  [[nodiscard]] std::size_t largest_group() const {
+    std::vector<std::size_t> num_places(groups_.size());
+    for (std::size_t p = 0; p < groups_.size(); ++p) num_places[groups_[p]] += places_[p].size();
+    return static_cast<std::size_t>(std::max_element(num_places.begin(), num_places.end()) -
+                                    num_places.begin());
+  }
+
+  [[nodiscard]] std::set<std::size_t> groups_besides(std::size_t main) const {
+    std::set<std::size_t> others(groups_.begin(), groups_.end());
+    others.erase(main);
+    return others;
+  }
+
+  /// Moves all pieces of `sought` to where the joints, which agree, have them in `known`.
+  void merge(std::size_t sought, std::size_t known, const std::vector<Proposal>& joints) {
+    const double turn_rad = tracked_turn_rad(joints);
+    for (std::size_t k = 0; k < track_.size(); ++k) {
+      if (group_of(k) == sought) T_map_sensor_[k] = joints.front().T_map_piece * T_map_sensor_[k];
+    }
+    for (std::size_t piece = 0; piece < groups_.size(); ++piece) {
+      if (groups_[piece] != sought) continue;
+      joined_.turn_rad[piece] = wrap_to_pi(joined_.turn_rad[piece] + turn_rad);
+      groups_[piece] = known;
+    }
+    for (const Proposal& joint : joints) joined_.joints.push_back(joint.places);
+  }
+
+  /// Tracking lost a scan, or found nothing that stood alone, and began anew; the scans around may
+  /// all the same see enough of each other. `begin`: the keyframe after the break.
+  void join_across_break(std::size_t begin) {
+    const std::size_t reach = params_.num_across_break * track_.num_scanners();
+    const std::size_t first = begin - std::min(begin, reach);
+    for (std::size_t before = begin; before-- > first;) {
+      const std::size_t known = group_of(before);
+      const std::size_t sought = group_of(begin);
+      if (known == sought) continue;
+      std::vector<Proposal> proposals;
+      for (std::size_t i = first; i < begin; ++i) {
+        for (std::size_t j = begin; j < std::min(begin + reach, track_.size()); ++j) {
+          if (group_of(i) != known || group_of(j) != sought) continue;
+          proposals.emplace_back();
+          proposals.back().known = i;
+          proposals.back().sought = j;
+        }
+      }
+      const auto agreed =
+          most_agreed(matched(proposals), &weight_in, params_.min_votes_across_break);
+      if (!agreed.empty()) merge(sought, known, agreed);
+    }
+  }
+
+  bool join_anywhere(std::size_t group, std::size_t main) {
+    if (places_of(group).size() < params_.min_agreeing) return false;
+    const std::vector<Proposal> agreed = most_agreed(
+        verified(propose(group, main)), &places_in, static_cast<double>(params_.min_agreeing));
+    if (agreed.empty()) return false;
+    merge(group, main, agreed);
     return true;
   }
 
-  /// The median of the turns that the joints give for the piece's tracked headings.
+  /// The median of the turns that the joints give for the tracked headings.
   [[nodiscard]] double tracked_turn_rad(const std::vector<Proposal>& joints) const {
+    const auto heading_of = [&](std::size_t keyframe) {
+      return joined_.turn_rad[track_.pieces[keyframe]] +
+             track_.keyframes[keyframe]->T_odom_sensor.theta_rad;
+    };
     const auto turn_by = [&](const Proposal& joint) {
-      return joined_.turn_rad[track_.pieces[joint.known]] +
-             track_.keyframes[joint.known]->T_odom_sensor.theta_rad +
-             joint.places.T_from_to.theta_rad -
-             track_.keyframes[joint.sought]->T_odom_sensor.theta_rad;
+      return heading_of(joint.known) + joint.places.T_from_to.theta_rad - heading_of(joint.sought);
     };
     const double first_rad = turn_by(joints.front());
     std::vector<double> off_rad;
@@ -106,17 +187,14 @@ class PieceJoiner {
     return wrap_to_pi(first_rad + upper_median(std::move(off_rad)));
   }
 
-  [[nodiscard]] std::vector<Proposal> propose(std::size_t piece) const {
+  [[nodiscard]] std::vector<Proposal> propose(std::size_t group, std::size_t main) const {
     std::vector<PlaceSignature> known;
     std::vector<std::size_t> known_keyframes;
-    for (std::size_t other = 0; other < places_.size(); ++other) {
-      if (!joined_.is_joined[other]) continue;
-      for (const Place& place : places_[other]) {
-        known.push_back(place.signature);
-        known_keyframes.push_back(place.keyframe);
-      }
+    for (const Place& place : places_of(main)) {
+      known.push_back(place.signature);
+      known_keyframes.push_back(place.keyframe);
     }
-    const std::vector<Place>& sought = places_[piece];
+    const std::vector<Place> sought = places_of(group);
     const std::size_t stride = 1 + (sought.size() - 1) / params_.max_num_queries;  // rounded up
     std::vector<Proposal> proposals;
     for (std::size_t i = 0; i < sought.size(); i += stride) {
@@ -153,9 +231,42 @@ class PieceJoiner {
     std::vector<Proposal> right;
     for (const Proposal& proposal : proposals) {
       const Proposal& known = verified_.at(pair_of(proposal));
-      if (known.is_verified) right.push_back(known);
+      if (!known.is_verified) continue;
+      right.push_back(known);
+      right.back().T_map_piece = T_map_sensor_[known.known] * known.places.T_from_to *
+                                 T_map_sensor_[known.sought].inverse();
     }
     return right;
+  }
+
+  /// Those of the proposals, across a break, whose scans match.
+  [[nodiscard]] std::vector<Proposal> matched(const std::vector<Proposal>& proposals) {
+    const MatchParams params = params_of_moments_apart();
+    std::vector<Proposal> matched;
+    for (Proposal proposal : proposals) {
+      const MatchResult match =
+          setsquare::match(prepared(proposal.known), prepared(proposal.sought), params);
+      proposal.weight = vote_weight(match.status);
+      if (!match.T_reference_current || proposal.weight == 0.0) continue;
+      const Pose2& T_map_known = T_map_sensor_[proposal.known];
+      proposal.places.from = proposal.known;
+      proposal.places.to = proposal.sought;
+      proposal.places.T_from_to = *match.T_reference_current;
+      proposal.places.information = information_of_joint(params_);
+      proposal.places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
+      proposal.places.score = match.score;
+      proposal.places.contradiction = match.contradiction;
+      proposal.T_map_piece =
+          T_map_known * *match.T_reference_current * T_map_sensor_[proposal.sought].inverse();
+      matched.push_back(proposal);
+    }
+    return matched;
+  }
+
+  [[nodiscard]] const PreparedScan& prepared(std::size_t keyframe) {
+    const auto [entry, is_new] = prepared_.try_emplace(keyframe);
+    if (is_new) entry->second = prepare(track_.keyframes[keyframe]->surfaces);
+    return entry->second;
   }
 
   [[nodiscard]] static std::pair<std::size_t, std::size_t> pair_of(const Proposal& proposal) {
@@ -173,16 +284,13 @@ class PieceJoiner {
                       {*match.T_reference_current, params_.window_m},
                       closing_.match);
     if (!found) return proposal;
-    const Pose2& T_map_known = T_map_sensor_[proposal.known];
     proposal.places = judged_places(proposal.known,
                                     proposal.sought,
                                     *found,
-                                    T_map_known.theta_rad,
+                                    T_map_sensor_[proposal.known].theta_rad,
                                     closing_.point_sigma_m,
                                     closing_.verdict);
     proposal.is_verified = proposal.places.verdict.reason == ClosureReason::kStandsAlone;
-    proposal.T_map_piece =
-        T_map_known * proposal.places.T_from_to * T_map_sensor_[proposal.sought].inverse();
     return proposal;
   }
 
@@ -199,21 +307,18 @@ class PieceJoiner {
 
   /// The proposals that agree with the one that has most votes of places; none where it has too few
   /// votes, or another place has half as many votes.
-  [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals) const {
-    const auto num_places = [](const std::vector<Proposal>& list) {
-      std::set<std::size_t> places;
-      for (const Proposal& proposal : list) places.insert(proposal.sought);
-      return places.size();
-    };
+  [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals,
+                                                  const Votes& num_votes,
+                                                  double min_votes) const {
     std::vector<Proposal> best;
     for (const Proposal& centre : proposals) {
       std::vector<Proposal> agreeing = {centre};
       for (const Proposal& other : proposals) {
         if (&other != &centre && agree(centre, other)) agreeing.push_back(other);
       }
-      if (num_places(agreeing) > num_places(best)) best = std::move(agreeing);
+      if (num_votes(agreeing) > num_votes(best)) best = std::move(agreeing);
     }
-    if (num_places(best) < params_.min_agreeing) return {};
+    if (num_votes(best) < min_votes) return {};
     std::vector<Proposal> others;
     for (const Proposal& proposal : proposals) {
       if (!agree(best.front(), proposal)) others.push_back(proposal);
@@ -223,9 +328,22 @@ class PieceJoiner {
       for (const Proposal& other : others) {
         if (agree(centre, other)) rivals.push_back(other);
       }
-      if (2 * num_places(rivals) >= num_places(best)) return {};
+      if (2.0 * num_votes(rivals) >= num_votes(best)) return {};
     }
     return best;
+  }
+
+  /// Votes of places: what one place saw is told once, however many others it resembles.
+  [[nodiscard]] static double places_in(const std::vector<Proposal>& proposals) {
+    std::set<std::size_t> places;
+    for (const Proposal& proposal : proposals) places.insert(proposal.sought);
+    return static_cast<double>(places.size());
+  }
+  /// Votes of matches across a break, where a scan or two is all there may be.
+  [[nodiscard]] static double weight_in(const std::vector<Proposal>& proposals) {
+    double sum = 0.0;
+    for (const Proposal& proposal : proposals) sum += proposal.weight;
+    return sum;
   }
 
   const KeyframeTrack& track_;
@@ -233,8 +351,9 @@ class PieceJoiner {
   const LoopCloserParams& closing_;
   const PieceJoiningParams& params_;
   std::size_t num_threads_;
-  std::size_t half_width_;                                            ///< Of submaps, in keyframes.
-  std::vector<std::vector<Place>> places_;                            ///< By piece.
+  std::size_t half_width_;                  ///< Of submaps, in keyframes.
+  std::vector<std::vector<Place>> places_;  ///< By piece.
+  std::vector<std::size_t> groups_;         ///< By piece: those of one group hang together.
   std::map<std::pair<std::size_t, std::size_t>, Proposal> verified_;  ///< By known and sought.
   std::map<std::size_t, PreparedScan> prepared_;                      ///< By keyframe.
   JoinedPieces joined_;
@@ -247,6 +366,9 @@ void PieceJoiningParams::validate() const {
   require_at_least_one(num_similar, "joining.num_similar");
   require_positive(window_m, "joining.window_m");
   require_at_least_one(min_agreeing, "joining.min_agreeing");
+  require_positive(min_votes_across_break, "joining.min_votes_across_break");
+  require_positive(joint_sigma_m, "joining.joint_sigma_m");
+  require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
   require_positive(agreeing_m, "joining.agreeing_m");
   require_positive(agreeing_rad, "joining.agreeing_rad");
 }

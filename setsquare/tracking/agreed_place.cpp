@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/agreed_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "setsquare/matching/scan_matcher.hpp"
+
+namespace setsquare {
+namespace {
+
+constexpr double kAloneWeight = 1.0;
+constexpr double kAmbiguousWeight = 0.5;
+
+bool is_within(const ExpectedStep& step, const Pose2& place) {
+  const Pose2 off = step.T_odom_sensor.inverse() * place;
+  return std::hypot(off.x_m, off.y_m) <= step.reach_m && std::abs(off.theta_rad) <= step.reach_rad;
+}
+
+}  // namespace
+
+double vote_weight(MatchStatus status) {
+  if (status == MatchStatus::kMatched) return kAloneWeight;
+  return status == MatchStatus::kAmbiguous ? kAmbiguousWeight : 0.0;
+}
+
+MatchParams params_of_moments_apart() {
+  MatchParams params;
+  params.answer.min_distinct_m = 0.0;
+  params.answer.clear_distinct_m = 0.0;
+  return params;
+}
+
+bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params) {
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < params.same_m &&
+         std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)) < params.same_rad;
+}
+
+std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
+                                   const PreparedScan& current,
+                                   const PlaceVoteParams& params) {
+  const MatchParams match_params = params_of_moments_apart();
+  std::vector<PlaceVote> votes;
+  const std::size_t num_asked = std::min(params.num_keyframes, keyframes.size());
+  for (std::size_t age = 0; age < num_asked; ++age) {
+    const MatchResult match = setsquare::match(keyframes.scan(age), current, match_params);
+    if (!match.T_reference_current) continue;
+    votes.push_back(
+        {keyframes.keyframe(age).T_odom_sensor * *match.T_reference_current, match.status});
+  }
+  return votes;
+}
+
+std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
+                                        const std::optional<ExpectedStep>& step,
+                                        const PlaceVoteParams& params) {
+  const auto votes_for = [&](const Pose2& place) {
+    double sum = step && is_within(*step, place) ? kAmbiguousWeight : 0.0;
+    for (const PlaceVote& vote : votes) {
+      if (is_same_place(place, vote.T_odom_sensor, params)) sum += vote_weight(vote.status);
+    }
+    return sum;
+  };
+  std::optional<AgreedPlace> best;
+  for (const PlaceVote& vote : votes) {
+    if (vote_weight(vote.status) == 0.0) continue;
+    const AgreedPlace place{vote.T_odom_sensor, votes_for(vote.T_odom_sensor)};
+    if (!best || place.votes > best->votes) best = place;
+  }
+  if (!best || best->votes < kAloneWeight) return std::nullopt;
+  const bool has_rival = std::any_of(votes.begin(), votes.end(), [&](const PlaceVote& vote) {
+    return vote_weight(vote.status) > 0.0 &&
+           !is_same_place(vote.T_odom_sensor, best->T_odom_sensor, params) &&
+           votes_for(vote.T_odom_sensor) >= best->votes;
+  });
+  return has_rival ? std::nullopt : best;
+}
+
+}  // namespace setsquare

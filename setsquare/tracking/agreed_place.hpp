@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "setsquare/core/pose2.hpp"
+#include "setsquare/matching/match_params.hpp"
+#include "setsquare/scan/match_result.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
+#include "setsquare/tracking/prepared_keyframes.hpp"
+#include "setsquare/tracking/scan_tracker_params.hpp"
+
+namespace setsquare {
+
+/// Where one keyframe, matched with a scan without a guess, has the scan.
+struct PlaceVote {
+  Pose2 T_odom_sensor;
+  MatchStatus status = MatchStatus::kNoOverlap;
+};
+
+/// Where keyframes agree that a scan stands.
+struct AgreedPlace {
+  Pose2 T_odom_sensor;  ///< By the latest keyframe of those that agree.
+  double votes = 0.0;   ///< For it: 1 for each match that stands alone, 1/2 for an ambiguous one.
+};
+
+/// What a match says for the place that it gives.
+[[nodiscard]] double vote_weight(MatchStatus status);
+
+/// The matcher's parameters for scans of which one was taken moments before the other: what would
+/// fit a corner of any building fits this one.
+[[nodiscard]] MatchParams params_of_moments_apart();
+
+/// The votes of the latest keyframes, the latest first.
+[[nodiscard]] std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
+                                                 const PreparedScan& current,
+                                                 const PlaceVoteParams& params);
+
+/// Where the robot may be by its motion alone.
+struct ExpectedStep {
+  Pose2 T_odom_sensor;     ///< About it, ...
+  double reach_m = 0.0;    ///< ... as far as this ...
+  double reach_rad = 0.0;  ///< ... and turned by this at most.
+};
+
+/// The place with the most votes. It needs more than any other place, for one wrong match bends all
+/// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within
+/// reach of the expected step has as much for it as an ambiguous match gives: what makes a match
+/// ambiguous mostly lies farther away.
+[[nodiscard]] std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
+                                                      const std::optional<ExpectedStep>& step,
+                                                      const PlaceVoteParams& params);
+
+/// Whether two poses are one place.
+[[nodiscard]] bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params);
+
+}  // namespace setsquare

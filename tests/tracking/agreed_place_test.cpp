@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/tracking/agreed_place.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+namespace setsquare::agreed_place_test {
+
+const Pose2 kHere{1.0, 0.0, 0.0};
+const Pose2 kNearHere{1.1, 0.0, 0.02};
+const Pose2 kElsewhere{4.0, 0.0, 0.0};
+const ExpectedStep kStepHere{{0.0, 0.0, 0.0}, 1.5, 1.0};
+
+PlaceVote vote(const Pose2& T_odom_sensor, MatchStatus status) { return {T_odom_sensor, status}; }
+
+std::optional<AgreedPlace> agreed(const std::vector<PlaceVote>& votes,
+                                  const std::optional<ExpectedStep>& step = std::nullopt) {
+  return agreed_place(votes, step, {});
+}
+
+TEST(AgreedPlace, OneMatchThatStandsAloneIsEnough) {
+  const auto place = agreed({vote(kHere, MatchStatus::kMatched)});
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->T_odom_sensor, kHere);
+  EXPECT_EQ(place->votes, 1.0);
+}
+
+TEST(AgreedPlace, TwoAmbiguousMatchesAreEnoughAndOneIsNot) {
+  const PlaceVote ambiguous = vote(kHere, MatchStatus::kAmbiguous);
+  EXPECT_FALSE(agreed({ambiguous}));
+  EXPECT_TRUE(agreed({ambiguous, vote(kNearHere, MatchStatus::kAmbiguous)}));
+}
+
+TEST(AgreedPlace, AShortStepSpeaksForAnAmbiguousMatch) {
+  EXPECT_TRUE(agreed({vote(kHere, MatchStatus::kAmbiguous)}, kStepHere));
+  EXPECT_FALSE(agreed({vote(kElsewhere, MatchStatus::kAmbiguous)}, kStepHere));
+}
+
+TEST(AgreedPlace, TheLatestKeyframeOfThoseThatAgreeGivesThePose) {
+  const auto place =
+      agreed({vote(kHere, MatchStatus::kMatched), vote(kNearHere, MatchStatus::kMatched)});
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->T_odom_sensor, kHere);
+  EXPECT_EQ(place->votes, 2.0);
+}
+
+TEST(AgreedPlace, KeyframesThatContradictEachOtherDoNotAgree) {
+  const std::vector<PlaceVote> votes{vote(kHere, MatchStatus::kMatched),
+                                     vote(kElsewhere, MatchStatus::kMatched)};
+  EXPECT_FALSE(agreed(votes));
+  const auto by_step = agreed(votes, kStepHere);
+  ASSERT_TRUE(by_step);
+  EXPECT_EQ(by_step->T_odom_sensor, kHere);
+}
+
+TEST(AgreedPlace, TheMajorityWins) {
+  const auto place = agreed({vote(kElsewhere, MatchStatus::kMatched),
+                             vote(kHere, MatchStatus::kMatched),
+                             vote(kNearHere, MatchStatus::kMatched)});
+  ASSERT_TRUE(place);
+  EXPECT_EQ(place->T_odom_sensor, kHere);
+}
+
+TEST(AgreedPlace, MatchesThatDetermineNoPlaceHaveNoVote) {
+  EXPECT_FALSE(agreed({vote(kHere, MatchStatus::kDegenerate),
+                       vote(kHere, MatchStatus::kNoOverlap),
+                       vote(kHere, MatchStatus::kDegenerate)},
+                      kStepHere));
+  EXPECT_FALSE(agreed({}));
+}
+
+}  // namespace setsquare::agreed_place_test
