@@ -148,14 +148,15 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
   uncertainty_.add(tracked, scan.scanner);
   scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
+  const Scan& placed = tracker_.deskewed_scan() ? *tracker_.deskewed_scan() : scan;
   kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
-    if (!tracked.is_keyframe) return std::make_shared<const Scan>(scan);
+    if (!tracked.is_keyframe) return std::make_shared<const Scan>(placed);
     const KeyframePtr& keyframe = tracker_.submap().back();
     return {keyframe, &keyframe->scan};
   });
   if (!tracked.is_keyframe) return tracked;
 
-  add_keyframe(scan);
+  add_keyframe(placed);
   if (track_.size() >= next_closing(num_closed_)) {
     close_loops(fuse_headings(evidence_, params_.heading).heading_rad, track_.size(), closer_);
     num_closed_ = track_.size();

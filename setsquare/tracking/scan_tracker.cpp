@@ -11,6 +11,7 @@
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
+#include "setsquare/tracking/sweep_turns.hpp"
 
 namespace setsquare {
 
@@ -20,15 +21,35 @@ class ScanTracker::ArrivedScan {
  public:
   ArrivedScan(const Scan& scan, const ScanTrackerParams& params)
       : scan_(scan),
-        image_params_(params.image),
+        params_(params),
+        sweep_s_(params.deskew.is_on ? sweep_time_s(scan) : 0.0),
         points_(surface_points_from_scan(scan, params.surfaces)) {}
+
+  /// As it came.
+  [[nodiscard]] const Scan& arrived() const { return scan_; }
+  /// As it is placed.
+  [[nodiscard]] const Scan& scan() const { return deskewed_ ? deskewed_->scan : scan_; }
+  /// 0 where it is not deskewed.
+  [[nodiscard]] double sweep_s() const { return sweep_s_; }
+  void deskew(const SweepMotion& motion) {
+    deskewed_ = deskewed(scan_, motion, params_.surfaces);
+    points_ = surface_points_from_scan(deskewed_->scan, params_.surfaces);
+    surfaces_.reset();
+  }
+  /// Of the deskewed scan.
+  [[nodiscard]] PlacedSweep placed_at(const Pose2& T_odom_sensor, const SweepMotion& motion) const {
+    return {points(), deskewed_->share, T_odom_sensor, motion};
+  }
+  [[nodiscard]] std::optional<Scan> take_deskewed() {
+    return deskewed_ ? std::optional<Scan>(std::move(deskewed_->scan)) : std::nullopt;
+  }
 
   [[nodiscard]] std::size_t num_points() const { return points().size(); }
   [[nodiscard]] SurfaceSamples all_points() const {
     return sample_surface(points(), points().size());
   }
   [[nodiscard]] const ScanSurfacesPtr& surfaces() {
-    if (!surfaces_) surfaces_ = scan_surfaces(scan_, std::move(points_), image_params_);
+    if (!surfaces_) surfaces_ = scan_surfaces(scan(), std::move(points_), params_.image);
     return surfaces_;
   }
 
@@ -38,7 +59,9 @@ class ScanTracker::ArrivedScan {
   }
 
   const Scan& scan_;
-  const SurfaceImage::Params& image_params_;
+  const ScanTrackerParams& params_;
+  double sweep_s_ = 0.0;
+  std::optional<DeskewedScan> deskewed_;
   SurfacePoints points_;  ///< Until they are part of the surfaces.
   ScanSurfacesPtr surfaces_;
 };
@@ -67,7 +90,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
       case Situation::kNoSubmap:
         return {.T_odom_sensor = predicted, .open = {}};
       case Situation::kExpected:
-        return place_expected(arrived, predicted, has_odometry);
+        return place_swept(arrived, predicted, has_odometry);
       case Situation::kAnywhere:
         return place_anywhere(arrived, predicted);
     }
@@ -79,7 +102,8 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.is_restart = is_restart(situation);
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
-  if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
+  if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
+  deskewed_scan_ = arrived.take_deskewed();
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
   compare_gyro(scan, tracked);
@@ -96,7 +120,7 @@ std::optional<MountingSighting> ScanTracker::sight(const Scan& scan,
   ArrivedScan arrived(scan, params_);
   if (situation_of(arrived.num_points(), false) != Situation::kExpected) return std::nullopt;
   const TrackedPose start = expected(scan, T_wheels_base);
-  const TrackedPose seen = place_expected(arrived, start.T_odom_sensor, start.has_odometry);
+  const TrackedPose seen = place_swept(arrived, start.T_odom_sensor, start.has_odometry);
   if (seen.status == TrackStatus::kLost) return std::nullopt;
   return MountingSighting{seen.T_odom_sensor, seen.status != TrackStatus::kDegenerate};
 }
@@ -123,10 +147,12 @@ Pose2 ScanTracker::expected_body(const Scan& scan,
 void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   const Placed now{
       scan.stamp,
-      tracked.T_odom_body.theta_rad,
+      tracked.T_odom_body,
       tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
   if (last_.is_tracked && now.is_tracked) {
-    gyro_.compare(last_.stamp, now.stamp, wrap_to_pi(now.heading_rad - last_.heading_rad));
+    gyro_.compare(last_.stamp,
+                  now.stamp,
+                  wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
   }
   last_ = now;
 }
@@ -142,14 +168,60 @@ ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is
   return is_behind_gap ? Situation::kAnywhere : Situation::kExpected;
 }
 
+SweepMotion ScanTracker::expected_motion(const ArrivedScan& scan, const Pose2& predicted) const {
+  const BodyMounting mounting(T_base_body_, scan.arrived().T_base_sensor);
+  const Pose2 T_last_predicted = mounting.sensor_of(last_.T_odom_body).inverse() * predicted;
+  const Timestamp stamp = scan.arrived().stamp;
+  return even_motion(T_last_predicted, seconds_between(last_.stamp, stamp), scan.sweep_s());
+}
+
+double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {
+  const Timestamp stamp = scan.arrived().stamp;
+  const double sigma_rad_per_s = gyro_.turn_rad(last_.stamp, stamp)
+                                     ? params_.deskew.gyro_sigma_rad_per_s
+                                     : params_.deskew.motion_sigma_rad_per_s;
+  return 0.5 * std::abs(scan.sweep_s()) * sigma_rad_per_s;
+}
+
+TrackedPose ScanTracker::place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry) {
+  if (scan.sweep_s() == 0.0) return place_expected(scan, predicted, predicted, has_odometry);
+  const SweepMotion expected = expected_motion(scan, predicted);
+  SweepMotion motion = expected;
+  Pose2 start = predicted;
+  bool is_recovered = false;
+  for (int num_turns = 0;; ++num_turns) {
+    scan.deskew(motion);
+    TrackedPose tracked = place_expected(scan, start, predicted, has_odometry);
+    if (tracked.status == TrackStatus::kLost) return tracked;
+    is_recovered = is_recovered || tracked.status == TrackStatus::kRecovered;
+    const bool is_first = num_turns < 2;
+    const SweepMotion better =
+        refined_turns(scan.placed_at(tracked.T_odom_sensor, motion),
+                      expected,
+                      turn_sigma_rad(scan),
+                      submap_images_,
+                      is_first ? params_.refinement.first_step : params_.refinement.later_steps,
+                      marks_);
+    if (num_turns == params_.deskew.max_num_turns ||
+        change_rad(motion, better) < params_.deskew.converged_rad) {
+      if (is_recovered) tracked.status = TrackStatus::kRecovered;
+      return tracked;
+    }
+    motion = better;
+    motion.way_m = expected_motion(scan, tracked.T_odom_sensor).way_m;
+    start = tracked.T_odom_sensor;
+  }
+}
+
 TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
+                                        const Pose2& start,
                                         const Pose2& predicted,
                                         bool has_odometry) {
   const SurfaceSamples points = scan.all_points();
   const PredictionTrust& trust =
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
-  SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
+  SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
   // In a bare corridor the walls fit; where they leave a direction open and do not, the place is
   // wrong.
   const double least_score =

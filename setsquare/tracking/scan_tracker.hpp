@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/deskew.hpp"
 #include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
 #include "setsquare/tracking/motion_prediction.hpp"
@@ -27,6 +28,10 @@ namespace setsquare {
 ///    guess-free matcher, anywhere and at any turn. After a gap no other answer counts.
 /// 4. Search along the corridor where the walls leave a direction free.
 /// 5. Keep the scan as a keyframe where it is far enough from the last one.
+///
+/// A scan that says how long it swept is deskewed before each refinement, first by the motion that
+/// is expected, then by the turns that the walls show (refined_turns); its pose is that of the
+/// middle of its sweep.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParams& params = {});
@@ -48,6 +53,9 @@ class ScanTracker {
   /// Where a scan is expected, which is not mapped. Not to be called before the first track().
   [[nodiscard]] TrackedPose expected(const Scan& scan,
                                      const std::optional<Pose2>& T_wheels_base) const;
+
+  /// The last scan as it was placed where it was deskewed, else nothing.
+  [[nodiscard]] const std::optional<Scan>& deskewed_scan() const { return deskewed_scan_; }
 
   /// The scans kept that the next one is compared with, the latest at the back.
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
@@ -71,7 +79,17 @@ class ScanTracker {
   [[nodiscard]] std::optional<Pose2> body_by_wheels(
       const std::optional<Pose2>& T_wheels_base) const;
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
-  TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  /// As the scan is, from a place near the predicted one.
+  TrackedPose place_expected(ArrivedScan& scan,
+                             const Pose2& start,
+                             const Pose2& predicted,
+                             bool has_odometry);
+  /// The same of a scan that is deskewed meanwhile.
+  TrackedPose place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  /// How the sensor is expected to move during a sweep.
+  [[nodiscard]] SweepMotion expected_motion(const ArrivedScan& scan, const Pose2& predicted) const;
+  /// How uncertain the turns are that it is expected to make.
+  [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
   /// A fit as an answer: lost where it is poor, searched along the corridor where one is open.
   TrackedPose judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered);
@@ -102,9 +120,10 @@ class ScanTracker {
   /// Of the last scan: by it the gyro's turns are told apart.
   struct Placed {
     Timestamp stamp;
-    double heading_rad = 0.0;  ///< Of the body.
-    bool is_tracked = false;   ///< Without a jump.
+    Pose2 T_odom_body;
+    bool is_tracked = false;  ///< Without a jump.
   } last_;
+  std::optional<Scan> deskewed_scan_;
   std::size_t num_scans_ = 0;
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };

@@ -53,6 +53,13 @@ void RecoveryParams::validate() const {
   require_positive(near_rad, "recovery.near_rad");
 }
 
+void DeskewParams::validate() const {
+  require_at_least_one(max_num_turns, "deskew.max_num_turns");
+  require_positive(converged_rad, "deskew.converged_rad");
+  require_positive(gyro_sigma_rad_per_s, "deskew.gyro_sigma_rad_per_s");
+  require_positive(motion_sigma_rad_per_s, "deskew.motion_sigma_rad_per_s");
+}
+
 void ScanTrackerParams::validate() const {
   require_at_least_one(num_keyframes, "num_keyframes");
   require_at_least_one(num_scans_averaged, "num_scans_averaged");
@@ -64,6 +71,7 @@ void ScanTrackerParams::validate() const {
   recovery.validate();
   gap.validate();
   gyro.validate();
+  deskew.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");

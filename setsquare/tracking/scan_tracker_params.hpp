@@ -97,6 +97,18 @@ struct RecoveryParams {
   void validate() const;
 };
 
+/// Parameters of deskewing (deskewed, refined_turns).
+struct DeskewParams {
+  bool is_on = true;      ///< For scans that say how long they swept.
+  int max_num_turns = 6;  ///< Times that the turns during a sweep are corrected ...
+  double converged_rad = rad_from_deg(0.1);  ///< ... unless they change by less.
+  double gyro_sigma_rad_per_s = 0.2;    ///< Of the turning rate expected in a sweep, by a gyro,
+  double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the scan tracker.
 struct ScanTrackerParams {
   std::size_t num_keyframes = 8;     ///< In the submap, the latest of each scanner.
@@ -110,6 +122,7 @@ struct ScanTrackerParams {
   RecoveryParams recovery;
   ScanGapParams gap;
   GyroParams gyro;
+  DeskewParams deskew;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
