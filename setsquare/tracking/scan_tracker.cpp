@@ -11,6 +11,7 @@
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
+#include "setsquare/tracking/sudden_turn.hpp"
 #include "setsquare/tracking/sweep_turns.hpp"
 
 namespace setsquare {
@@ -168,16 +169,19 @@ ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is
   return is_behind_gap ? Situation::kAnywhere : Situation::kExpected;
 }
 
-SweepMotion ScanTracker::expected_motion(const ArrivedScan& scan, const Pose2& predicted) const {
-  const BodyMounting mounting(T_base_body_, scan.arrived().T_base_sensor);
-  const Pose2 T_last_predicted = mounting.sensor_of(last_.T_odom_body).inverse() * predicted;
-  const Timestamp stamp = scan.arrived().stamp;
-  return even_motion(T_last_predicted, seconds_between(last_.stamp, stamp), scan.sweep_s());
+Pose2 ScanTracker::last_sensor(const Scan& scan) const {
+  return BodyMounting(T_base_body_, scan.T_base_sensor).sensor_of(last_.T_odom_body);
+}
+
+SweepMotion ScanTracker::motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const {
+  const Scan& arrived = scan.arrived();
+  return even_motion(last_sensor(arrived).inverse() * T_odom_sensor,
+                     seconds_between(last_.stamp, arrived.stamp),
+                     scan.sweep_s());
 }
 
 double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {
-  const Timestamp stamp = scan.arrived().stamp;
-  const double sigma_rad_per_s = gyro_.turn_rad(last_.stamp, stamp)
+  const double sigma_rad_per_s = gyro_.turn_rad(last_.stamp, scan.arrived().stamp)
                                      ? params_.deskew.gyro_sigma_rad_per_s
                                      : params_.deskew.motion_sigma_rad_per_s;
   return 0.5 * std::abs(scan.sweep_s()) * sigma_rad_per_s;
@@ -185,32 +189,61 @@ double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {
 
 TrackedPose ScanTracker::place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry) {
   if (scan.sweep_s() == 0.0) return place_expected(scan, predicted, predicted, has_odometry);
-  const SweepMotion expected = expected_motion(scan, predicted);
+  const SweepMotion expected = motion_to(scan, predicted);
+  scan.deskew(expected);
+  TrackedPose tracked = place_expected(scan, predicted, predicted, has_odometry);
   SweepMotion motion = expected;
-  Pose2 start = predicted;
-  bool is_recovered = false;
-  for (int num_turns = 0;; ++num_turns) {
-    scan.deskew(motion);
-    TrackedPose tracked = place_expected(scan, start, predicted, has_odometry);
-    if (tracked.status == TrackStatus::kLost) return tracked;
-    is_recovered = is_recovered || tracked.status == TrackStatus::kRecovered;
-    const bool is_first = num_turns < 2;
-    const SweepMotion better =
-        refined_turns(scan.placed_at(tracked.T_odom_sensor, motion),
-                      expected,
-                      turn_sigma_rad(scan),
-                      submap_images_,
-                      is_first ? params_.refinement.first_step : params_.refinement.later_steps,
-                      marks_);
-    if (num_turns == params_.deskew.max_num_turns ||
-        change_rad(motion, better) < params_.deskew.converged_rad) {
-      if (is_recovered) tracked.status = TrackStatus::kRecovered;
-      return tracked;
-    }
-    motion = better;
-    motion.way_m = expected_motion(scan, tracked.T_odom_sensor).way_m;
-    start = tracked.T_odom_sensor;
+  if (tracked.score < params_.deskew.sudden_turn.below_score) {
+    motion = place_turned(scan, predicted, has_odometry, expected, tracked).value_or(expected);
   }
+  for (int i = 0; i < params_.deskew.max_num_turns; ++i) {
+    if (tracked.status == TrackStatus::kLost) return tracked;
+    SweepMotion better = turns_seen(scan, tracked.T_odom_sensor, motion, expected, i < 2);
+    if (change_rad(motion, better) < params_.deskew.converged_rad) return tracked;
+    better.way_m = motion_to(scan, tracked.T_odom_sensor).way_m;
+    scan.deskew(better);
+    const bool is_recovered = tracked.status == TrackStatus::kRecovered;
+    tracked = place_expected(scan, tracked.T_odom_sensor, predicted, has_odometry);
+    if (is_recovered) tracked.status = TrackStatus::kRecovered;
+    motion = better;
+  }
+  return tracked;
+}
+
+SweepMotion ScanTracker::turns_seen(const ArrivedScan& scan,
+                                    const Pose2& T_odom_sensor,
+                                    const SweepMotion& motion,
+                                    const SweepMotion& expected,
+                                    bool is_first) {
+  const SubmapRefinementParams& refinement = params_.refinement;
+  return refined_turns(scan.placed_at(T_odom_sensor, motion),
+                       expected,
+                       turn_sigma_rad(scan),
+                       submap_images_,
+                       is_first ? refinement.first_step : refinement.later_steps,
+                       marks_);
+}
+
+std::optional<SweepMotion> ScanTracker::place_turned(ArrivedScan& scan,
+                                                     const Pose2& predicted,
+                                                     bool has_odometry,
+                                                     const SweepMotion& motion,
+                                                     TrackedPose& tracked) {
+  const Scan& arrived = scan.arrived();
+  const SuddenTurnParams& params = params_.deskew.sudden_turn;
+  const SuddenTurn turn = find_sudden_turn(
+      {arrived, last_sensor(arrived), seconds_between(last_.stamp, arrived.stamp), scan.sweep_s()},
+      submap_images_,
+      params_.surfaces,
+      params);
+  scan.deskew(turn.motion);
+  const TrackedPose turned = place_expected(scan, turn.T_odom_sensor, predicted, has_odometry);
+  if (turned.status != TrackStatus::kLost && turned.score > tracked.score + params.min_gain) {
+    tracked = turned;
+    return turn.motion;
+  }
+  scan.deskew(motion);
+  return std::nullopt;
 }
 
 TrackedPose ScanTracker::place_expected(ArrivedScan& scan,

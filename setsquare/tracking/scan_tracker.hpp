@@ -86,8 +86,23 @@ class ScanTracker {
                              bool has_odometry);
   /// The same of a scan that is deskewed meanwhile.
   TrackedPose place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
-  /// How the sensor is expected to move during a sweep.
-  [[nodiscard]] SweepMotion expected_motion(const ArrivedScan& scan, const Pose2& predicted) const;
+  /// A place that a sudden turn leads to, with the sweep's motion; nothing where none is better
+  /// than `tracked`. The scan is left deskewed by that motion, or by `motion`.
+  std::optional<SweepMotion> place_turned(ArrivedScan& scan,
+                                          const Pose2& predicted,
+                                          bool has_odometry,
+                                          const SweepMotion& motion,
+                                          TrackedPose& tracked);
+  /// The motion by which the walls see a sweep bent least (refined_turns).
+  [[nodiscard]] SweepMotion turns_seen(const ArrivedScan& scan,
+                                       const Pose2& T_odom_sensor,
+                                       const SweepMotion& motion,
+                                       const SweepMotion& expected,
+                                       bool is_first);
+  /// Where the scan's sensor was at the last scan.
+  [[nodiscard]] Pose2 last_sensor(const Scan& scan) const;
+  /// How the sensor moves during its sweep if it moved evenly to a place since the last scan.
+  [[nodiscard]] SweepMotion motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const;
   /// How uncertain the turns are that it is expected to make.
   [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);

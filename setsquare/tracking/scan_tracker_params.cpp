@@ -53,11 +53,21 @@ void RecoveryParams::validate() const {
   require_positive(near_rad, "recovery.near_rad");
 }
 
+void SuddenTurnParams::validate() const {
+  require_finite(below_score, "deskew.sudden_turn.below_score");
+  require_finite(min_gain, "deskew.sudden_turn.min_gain");
+  require_positive(fastest_rad_per_s, "deskew.sudden_turn.fastest_rad_per_s");
+  require_positive(step_rad, "deskew.sudden_turn.step_rad");
+  require_positive(scale_m, "deskew.sudden_turn.scale_m");
+  require_at_least_one(max_samples, "deskew.sudden_turn.max_samples");
+}
+
 void DeskewParams::validate() const {
   require_at_least_one(max_num_turns, "deskew.max_num_turns");
   require_positive(converged_rad, "deskew.converged_rad");
   require_positive(gyro_sigma_rad_per_s, "deskew.gyro_sigma_rad_per_s");
   require_positive(motion_sigma_rad_per_s, "deskew.motion_sigma_rad_per_s");
+  sudden_turn.validate();
 }
 
 void ScanTrackerParams::validate() const {

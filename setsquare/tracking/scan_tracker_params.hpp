@@ -97,6 +97,19 @@ struct RecoveryParams {
   void validate() const;
 };
 
+/// Parameters of find_sudden_turn.
+struct SuddenTurnParams {
+  double below_score = 0.6;  ///< Swept scans that score less as expected are searched, ...
+  double min_gain = 0.1;     ///< ... and what is found must beat the score by this much.
+  double fastest_rad_per_s = 5.5;
+  double step_rad = 0.1;          ///< Of the turns that are tried.
+  double scale_m = 0.15;          ///< Closeness of points to surfaces.
+  std::size_t max_samples = 120;  ///< Of the scan.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of deskewing (deskewed, refined_turns).
 struct DeskewParams {
   bool is_on = true;      ///< For scans that say how long they swept.
@@ -104,6 +117,7 @@ struct DeskewParams {
   double converged_rad = rad_from_deg(0.1);  ///< ... unless they change by less.
   double gyro_sigma_rad_per_s = 0.2;    ///< Of the turning rate expected in a sweep, by a gyro,
   double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
+  SuddenTurnParams sudden_turn;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -119,17 +119,20 @@ void append_carmen(SimulatedRun& run, const SimulatedScan& simulated) {
   append_carmen_scan(run.log, simulated.scan, robot_between(run.odometry[last], now));
 }
 
-/// The sensor's name is that of a CARMEN log.
+/// Sensors are named as in a CARMEN log.
 void append_json(SimulatedRun& run, const SimulatedScan& simulated) {
   const StampedPose& now = run.odometry.back();
-  LogRecord record{.kind = RecordKind::kTruePose, .sensor = "TRUEPOS", .stamp = now.stamp};
+  LogRecord record;
+  record.stamp = now.stamp;
+  record.T_odom_base = now.pose;
+  record.kind = RecordKind::kTruePose;
+  record.sensor = "TRUEPOS";
   record.T_map_base = simulated.T_map_base;
-  record.T_odom_base = now.pose;
   append_json_record(run.log, record);
-  record = {.sensor = fmt::format("ROBOTLASER{}", simulated.scan.scanner + 1),
-            .stamp = now.stamp,
-            .scan = simulated.scan};
-  record.T_odom_base = now.pose;
+  record.kind = RecordKind::kScan;
+  record.sensor = fmt::format("ROBOTLASER{}", simulated.scan.scanner + 1);
+  record.scan = simulated.scan;
+  record.T_map_base.reset();
   append_json_record(run.log, record);
 }
 
