@@ -33,6 +33,7 @@ class ScanTracker::ArrivedScan {
   /// 0 where it is not deskewed.
   [[nodiscard]] double sweep_s() const { return sweep_s_; }
   void deskew(const SweepMotion& motion) {
+    motion_ = motion;
     deskewed_ = deskewed(scan_, motion, params_.surfaces);
     points_ = surface_points_from_scan(deskewed_->scan, params_.surfaces);
     surfaces_.reset();
@@ -41,6 +42,7 @@ class ScanTracker::ArrivedScan {
   [[nodiscard]] PlacedSweep placed_at(const Pose2& T_odom_sensor, const SweepMotion& motion) const {
     return {points(), deskewed_->share, T_odom_sensor, motion};
   }
+  [[nodiscard]] const SweepMotion& motion() const { return motion_; }
   [[nodiscard]] std::optional<Scan> take_deskewed() {
     return deskewed_ ? std::optional<Scan>(std::move(deskewed_->scan)) : std::nullopt;
   }
@@ -62,6 +64,7 @@ class ScanTracker::ArrivedScan {
   const Scan& scan_;
   const ScanTrackerParams& params_;
   double sweep_s_ = 0.0;
+  SweepMotion motion_;
   std::optional<DeskewedScan> deskewed_;
   SurfacePoints points_;  ///< Until they are part of the surfaces.
   ScanSurfacesPtr surfaces_;
@@ -104,6 +107,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
+  sweep_motion_ = arrived.motion();
   deskewed_scan_ = arrived.take_deskewed();
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
@@ -175,9 +179,11 @@ Pose2 ScanTracker::last_sensor(const Scan& scan) const {
 
 SweepMotion ScanTracker::motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const {
   const Scan& arrived = scan.arrived();
-  return even_motion(last_sensor(arrived).inverse() * T_odom_sensor,
-                     seconds_between(last_.stamp, arrived.stamp),
-                     scan.sweep_s());
+  SweepMotion motion = even_motion(last_sensor(arrived).inverse() * T_odom_sensor,
+                                   seconds_between(last_.stamp, arrived.stamp),
+                                   scan.sweep_s());
+  if (!params_.deskew.is_sweep_known) motion = {};
+  return motion;
 }
 
 double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {

@@ -57,6 +57,9 @@ class ScanTracker {
   /// The last scan as it was placed where it was deskewed, else nothing.
   [[nodiscard]] const std::optional<Scan>& deskewed_scan() const { return deskewed_scan_; }
 
+  /// How its sensor moved while it swept; rest where it was not deskewed.
+  [[nodiscard]] const SweepMotion& sweep_motion() const { return sweep_motion_; }
+
   /// The scans kept that the next one is compared with, the latest at the back.
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
 
@@ -139,6 +142,7 @@ class ScanTracker {
     bool is_tracked = false;  ///< Without a jump.
   } last_;
   std::optional<Scan> deskewed_scan_;
+  SweepMotion sweep_motion_;
   std::size_t num_scans_ = 0;
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };

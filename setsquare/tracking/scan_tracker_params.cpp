@@ -62,12 +62,26 @@ void SuddenTurnParams::validate() const {
   require_at_least_one(max_samples, "deskew.sudden_turn.max_samples");
 }
 
+void SweepTrialParams::validate() const {
+  require_positive(max_period_s, "deskew.trial.max_period_s");
+  require_positive(min_turn_rad, "deskew.trial.min_turn_rad");
+  require_finite(min_score, "deskew.trial.min_score");
+  require_at_least_one(min_turns, "deskew.trial.min_turns");
+  require_positive(max_deviation, "deskew.trial.max_deviation");
+  require_not_negative(max_share_at_once, "deskew.trial.max_share_at_once");
+  require_not_negative(max_off_whole, "deskew.trial.max_off_whole");
+  if (!(min_share > max_share_at_once)) {
+    throw ParameterError("deskew.trial.min_share", "must be above max_share_at_once");
+  }
+}
+
 void DeskewParams::validate() const {
   require_at_least_one(max_num_turns, "deskew.max_num_turns");
   require_positive(converged_rad, "deskew.converged_rad");
   require_positive(gyro_sigma_rad_per_s, "deskew.gyro_sigma_rad_per_s");
   require_positive(motion_sigma_rad_per_s, "deskew.motion_sigma_rad_per_s");
   sudden_turn.validate();
+  trial.validate();
 }
 
 void ScanTrackerParams::validate() const {

@@ -110,6 +110,22 @@ struct SuddenTurnParams {
   void validate() const;
 };
 
+/// Parameters of SweepTrial. Shares are of the time from scan to scan.
+struct SweepTrialParams {
+  double max_period_s = 0.3;                ///< From scan to scan; with a longer one none is tried.
+  double min_turn_rad = rad_from_deg(5.0);  ///< From scan to scan, of those that are compared.
+  double min_score = 0.6;                   ///< Of the same, by tracking.
+  std::size_t min_turns = 6;                ///< Compared before it is judged.
+  double max_deviation = 0.2;               ///< Median of the shares' deviations from their median.
+  double max_share_at_once = 0.15;          ///< Below it there is no sweep, ...
+  double min_share = 0.5;                   ///< ... above this there is one, ...
+  double max_off_whole = 0.15;              ///< ... and so near to 1 it is a whole one.
+  std::size_t max_scans = 3000;             ///< Then the trial ends.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of deskewing (deskewed, refined_turns).
 struct DeskewParams {
   bool is_on = true;      ///< For scans that say how long they swept.
@@ -117,7 +133,10 @@ struct DeskewParams {
   double converged_rad = rad_from_deg(0.1);  ///< ... unless they change by less.
   double gyro_sigma_rad_per_s = 0.2;    ///< Of the turning rate expected in a sweep, by a gyro,
   double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
+  /// Whether scans truly sweep as they say; else a sweep is expected to show no turn (SweepTrial).
+  bool is_sweep_known = true;
   SuddenTurnParams sudden_turn;
+  SweepTrialParams trial;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -20,7 +20,7 @@ SuddenTurn find_sudden_turn(const UnexpectedScan& unexpected,
   };
   const int num_in_sweep = num_steps(unexpected.sweep_s);
   const int num_since_last = num_steps(unexpected.elapsed_s);
-  SuddenTurn best{.T_odom_sensor = unexpected.T_odom_last};
+  SuddenTurn best{{}, unexpected.T_odom_last};
   double best_closeness = -1.0;
   for (int in_sweep = -num_in_sweep; in_sweep <= num_in_sweep; ++in_sweep) {
     const double half_rad = 0.5 * params.step_rad * in_sweep;
