@@ -22,7 +22,8 @@ void SweepSearch::begin(const Scan& scan) {
   scanner_ = scan.scanner;
   report_.stated_s = report_.sweep_s = sweep_time_s(scan);
   report_.verdict = report_.stated_s != 0.0 ? SweepVerdict::kStated : SweepVerdict::kUnknown;
-  if (params_.deskew.is_on && sees_all_around(scan)) trial_.emplace(params_);
+  const bool is_tried = params_.deskew.is_on && params_.deskew.trial.is_on;
+  if (is_tried && sees_all_around(scan)) trial_.emplace(params_);
 }
 
 void SweepSearch::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {

@@ -67,7 +67,7 @@ void SweepTrialParams::validate() const {
   require_positive(min_turn_rad, "deskew.trial.min_turn_rad");
   require_finite(min_score, "deskew.trial.min_score");
   require_at_least_one(min_turns, "deskew.trial.min_turns");
-  require_positive(max_deviation, "deskew.trial.max_deviation");
+  require_positive(num_sigmas, "deskew.trial.num_sigmas");
   require_not_negative(max_share_at_once, "deskew.trial.max_share_at_once");
   require_not_negative(max_off_whole, "deskew.trial.max_off_whole");
   if (!(min_share > max_share_at_once)) {

@@ -112,15 +112,16 @@ struct SuddenTurnParams {
 
 /// Parameters of SweepTrial. Shares are of the time from scan to scan.
 struct SweepTrialParams {
+  bool is_on = true;                        ///< For scanners that spin.
   double max_period_s = 0.3;                ///< From scan to scan; with a longer one none is tried.
   double min_turn_rad = rad_from_deg(5.0);  ///< From scan to scan, of those that are compared.
   double min_score = 0.6;                   ///< Of the same, by tracking.
   std::size_t min_turns = 6;                ///< Compared before it is judged.
-  double max_deviation = 0.2;               ///< Median of the shares' deviations from their median.
-  double max_share_at_once = 0.15;          ///< Below it there is no sweep, ...
-  double min_share = 0.5;                   ///< ... above this there is one, ...
-  double max_off_whole = 0.15;              ///< ... and so near to 1 it is a whole one.
-  std::size_t max_scans = 3000;             ///< Then the trial ends.
+  double num_sigmas = 2.0;                  ///< By so many standard errors the median must be ...
+  double max_share_at_once = 0.3;           ///< ... below this: there is no sweep, or ...
+  double min_share = 0.4;                   ///< ... above this: there is one.
+  double max_off_whole = 0.35;  ///< So near to 1 it takes the whole time, as scanners do that spin.
+  std::size_t max_scans = 3000;  ///< Then the trial ends.
 
   /// Throws ParameterError that names the field.
   void validate() const;

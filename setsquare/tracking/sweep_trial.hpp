@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <deque>
 #include <optional>
 #include <vector>
 
@@ -21,9 +20,11 @@ namespace setsquare {
 ///
 /// 1. A tracker of its own places each scan and finds how the robot turned during the sweep, with
 ///    nothing expected (refined_turns): the scans before the turn were not skewed.
-/// 2. Compared with the turn from the scan before to the scan behind, that is the share of the time
-///    from scan to scan that a sweep takes; negative where the beams run the other way.
-/// 3. The median over the scans of turns decides, where the shares agree.
+/// 2. From the middle of a sweep to the middle of the next one the robot turns as it did in the
+///    second half of the one and the first half of the other, if sweeps follow each other without a
+///    pause. The ratio of the two is the share of the time from scan to scan that a sweep takes;
+///    negative where the beams run the other way.
+/// 3. The median over the steps of turns decides, once its standard error is small.
 class SweepTrial {
  public:
   explicit SweepTrial(const ScanTrackerParams& params);
@@ -42,19 +43,18 @@ class SweepTrial {
   struct Observed {
     bool is_tracked = false;
     double heading_rad = 0.0;
-    double turn_in_sweep_rad = 0.0;
+    SweepMotion motion;
   };
 
-  /// Compares the sweep of the scan before the last one with the turn around it.
-  void compare();
+  void compare(const Observed& last, const Observed& now);
   void judge(std::size_t num_beams);
 
   SweepTrialParams params_;
   ScanTracker tracker_;
   std::optional<Timestamp> last_stamp_;
   std::size_t num_scans_ = 0;
-  std::deque<Observed> observed_;  ///< Three in a row.
-  std::vector<double> shares_;     ///< Of the time from scan to scan.
+  Observed last_;
+  std::vector<double> shares_;  ///< Of the time from scan to scan.
   std::vector<double> periods_s_;
   std::optional<double> sweep_s_;
 };

@@ -34,18 +34,18 @@ struct SpunScan {
 
 /// A rectangular room with five boxes, and a place in it from which they are half a metre away or
 /// more.
-struct FurnishedRoom {
+struct SpinRoom {
   std::vector<Wall> walls;
   double x_m = 0.0;
   double y_m = 0.0;
 };
 
-inline FurnishedRoom furnished_room(std::uint64_t seed) {
+inline SpinRoom spin_room(std::uint64_t seed) {
   std::mt19937_64 generator(seed);
   const auto draw = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(generator);
   };
-  FurnishedRoom room;
+  SpinRoom room;
   const auto add_box = [&](double left_m, double low_m, double right_m, double high_m) {
     room.walls.insert(room.walls.end(),
                       {{left_m, low_m, right_m, low_m},
@@ -71,12 +71,12 @@ inline FurnishedRoom furnished_room(std::uint64_t seed) {
   return room;
 }
 
-/// The scans of a spin in a furnished_room() of the seed, which decides the way around, too, and
+/// The scans of a spin in a spin_room() of the seed, which decides the way around, too, and
 /// when in a sweep the turn begins.
 inline std::vector<SpunScan> scans_of_spin(const Spin& spin, std::uint64_t seed) {
   constexpr std::size_t kNumBeams = 360;
   constexpr double kRest_s = 1.0;
-  const FurnishedRoom room = furnished_room(seed);
+  const SpinRoom room = spin_room(seed);
   std::mt19937_64 generator(seed + 1'000'000);
   std::uniform_real_distribution<double> draw(0.0, 1.0);
   std::normal_distribution<double> noise(0.0, 1.0);

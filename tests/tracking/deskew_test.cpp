@@ -159,7 +159,8 @@ TEST(Deskew, AgreesWithItsSlowTwin) {
       const auto expected_m = slow_range_m(scan, motion, beam);
       ASSERT_EQ(expected_m.has_value(), !std::isnan(flat.scan.ranges_m[beam])) << beam;
       // Where the sensor saw twice the two differ by which beam is nearer, a step at most.
-      if (expected_m) ASSERT_NEAR(flat.scan.ranges_m[beam], *expected_m, 0.03) << beam;
+      if (!expected_m) continue;
+      EXPECT_NEAR(flat.scan.ranges_m[beam], *expected_m, 0.03) << beam;
     }
   }
 }

@@ -161,7 +161,7 @@ std::string sentence_on(const SweepReport& sweep) {
     case SweepVerdict::kUnknown:
       return {};
     case SweepVerdict::kStated:
-      return fmt::format("sweep: {}, as the log states; scans are deskewed", length);
+      return fmt::format("sweep: {}, as stated; scans are deskewed", length);
     case SweepVerdict::kFound:
       return fmt::format("sweep: {}, found by the walls in {} scans of turns{}; scans are deskewed",
                          length,
