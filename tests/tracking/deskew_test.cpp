@@ -155,13 +155,15 @@ TEST(Deskew, AgreesWithItsSlowTwin) {
     }
     const SweepMotion motion = random_motion(generator, rad_from_deg(15.0));
     const DeskewedScan flat = deskewed(scan, motion);
+    int num_different = 0;
     for (std::size_t beam = 0; beam < fan.num_beams; ++beam) {
+      const double range_m = flat.scan.ranges_m[beam];
       const auto expected_m = slow_range_m(scan, motion, beam);
-      ASSERT_EQ(expected_m.has_value(), !std::isnan(flat.scan.ranges_m[beam])) << beam;
-      // Where the sensor saw twice the two differ by which beam is nearer, a step at most.
-      if (!expected_m) continue;
-      EXPECT_NEAR(flat.scan.ranges_m[beam], *expected_m, 0.03) << beam;
+      ASSERT_EQ(expected_m.has_value(), !std::isnan(range_m)) << beam;
+      num_different += expected_m && std::abs(range_m - *expected_m) > 1e-6;
     }
+    // What both ends of the sweep saw from as far away from its middle may be taken from either.
+    EXPECT_LE(num_different, 3) << trial;
   }
 }
 
