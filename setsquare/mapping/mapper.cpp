@@ -18,6 +18,7 @@
 #include "setsquare/mapping/pieces/piece_joining.hpp"
 #include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/scanners/scanners.hpp"
+#include "setsquare/mapping/sweep_search.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 #include "setsquare/tracking/motion_uncertainty.hpp"
@@ -72,6 +73,7 @@ class Mapper::Parts {
  public:
   explicit Parts(const MapperParams& params)
       : params_(params),
+        sweeps_(params.tracker),
         tracker_(params.tracker),
         scanners_(params.mounting),
         uncertainty_(params.motion),
@@ -81,8 +83,12 @@ class Mapper::Parts {
 
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   void add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
+    sweeps_.add_turn_rate(stamp, turn_rad_per_s);
     tracker_.add_turn_rate(stamp, turn_rad_per_s);
   }
+  /// Where the sweep time was found meanwhile: what came so far mapped again by it, and the last
+  /// scan's pose. Else null, and `last` stays.
+  [[nodiscard]] std::unique_ptr<Parts> mapped_again(TrackedPose& last);
   [[nodiscard]] Map finish() const;
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
@@ -94,7 +100,9 @@ class Mapper::Parts {
     JoinedPieces joined;
   };
 
-  /// add() of a scan without isolated returns and of odometry that is one.
+  /// add() of a scan whose sweep time has been looked for.
+  TrackedPose map(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+  /// The same of a scan without isolated returns and of odometry that is one.
   TrackedPose add_cleared(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   void add_keyframe(const Scan& scan);
   /// Tracks of one piece: the loops that are left to close.
@@ -118,6 +126,7 @@ class Mapper::Parts {
                                                     const PoseGraph& graph) const;
 
   MapperParams params_;
+  SweepSearch sweeps_;
   OdometryWatch odometry_;
   ScanTracker tracker_;
   Scanners scanners_;
@@ -135,8 +144,31 @@ TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_w
   scan.validate();
   require_finite(scan.T_base_sensor, "T_base_sensor");
   if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
-  const std::optional<Scan> cleared = without_isolated_returns(scan);
-  return add_cleared(cleared ? *cleared : scan, odometry_.believed(scan, T_wheels_base));
+  sweeps_.add(scan, T_wheels_base);
+  return map(scan, T_wheels_base);
+}
+
+TrackedPose Mapper::Parts::map(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+  const std::optional<Scan> mended = sweeps_.mended(scan);
+  const Scan& timed = mended ? *mended : scan;
+  const std::optional<Scan> cleared = without_isolated_returns(timed);
+  return add_cleared(cleared ? *cleared : timed, odometry_.believed(timed, T_wheels_base));
+}
+
+std::unique_ptr<Mapper::Parts> Mapper::Parts::mapped_again(TrackedPose& last) {
+  const std::vector<MapperInput> inputs = sweeps_.take_to_map_again();
+  if (inputs.empty()) return nullptr;
+  auto again = std::make_unique<Parts>(params_);
+  again->sweeps_ = sweeps_;
+  for (const MapperInput& input : inputs) {
+    if (const auto* rate = std::get_if<MapperTurnRate>(&input)) {
+      again->tracker_.add_turn_rate(rate->stamp, rate->turn_rad_per_s);
+    } else {
+      const auto& [scan, T_wheels_base] = std::get<MapperScan>(input);
+      last = again->map(scan, T_wheels_base);
+    }
+  }
+  return again;
 }
 
 TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
@@ -148,14 +180,15 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
   uncertainty_.add(tracked, {scan.scanner, scan.stamp});
   scans_.push_back({scan.stamp, tracked, scan.T_base_sensor});
+  const Scan& placed = tracker_.deskewed_scan() ? *tracker_.deskewed_scan() : scan;
   kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
-    if (!tracked.is_keyframe) return std::make_shared<const Scan>(scan);
+    if (!tracked.is_keyframe) return std::make_shared<const Scan>(placed);
     const KeyframePtr& keyframe = tracker_.submap().back();
     return {keyframe, &keyframe->scan};
   });
   if (!tracked.is_keyframe) return tracked;
 
-  add_keyframe(scan);
+  add_keyframe(placed);
   if (track_.size() >= next_closing(num_closed_)) {
     close_loops(fuse_headings(evidence_, params_.heading).heading_rad, track_.size(), closer_);
     num_closed_ = track_.size();
@@ -270,6 +303,7 @@ Map Mapper::Parts::finish() const {
 void Mapper::Parts::add_sensors(Map& map) const {
   map.scanners = scanners_.results();
   map.gyro = tracker_.gyro();
+  map.sweep = sweeps_.report();
   map.num_with_odometry = num_with_odometry_;
 }
 
@@ -302,7 +336,9 @@ Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
 
 TrackedPose Mapper::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
-  return parts_->add(scan, T_wheels_base);
+  TrackedPose tracked = parts_->add(scan, T_wheels_base);
+  if (auto again = parts_->mapped_again(tracked)) parts_ = std::move(again);
+  return tracked;
 }
 
 void Mapper::add_turn_rate(Timestamp stamp, double turn_rad_per_s) {

@@ -45,6 +45,10 @@ class Mapper {
   /// of several scanners, each with its mounting and its number (Scan::scanner), come in the order
   /// of time. Those of a further scanner are left out of the map until its mounting has been
   /// confirmed (MappedScanner): TrackedPose::is_mapped says so.
+  /// A scan that says how long it swept (Scan::time_increment_s) is deskewed; its pose is that of
+  /// the middle of its sweep. Where a scanner that spins does not say so, or says something else
+  /// than the walls show, its sweep time is found from the first turns (Map::sweep), and what came
+  /// before is mapped again: poses that were returned for it were provisional.
   /// Throws ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not
   /// finite.
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);

@@ -12,6 +12,8 @@
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
+#include "setsquare/tracking/sudden_turn.hpp"
+#include "setsquare/tracking/sweep_turns.hpp"
 
 namespace setsquare {
 
@@ -21,15 +23,37 @@ class ScanTracker::ArrivedScan {
  public:
   ArrivedScan(const Scan& scan, const ScanTrackerParams& params)
       : scan_(scan),
-        image_params_(params.image),
+        params_(params),
+        sweep_s_(params.deskew.is_on ? sweep_time_s(scan) : 0.0),
         points_(surface_points_from_scan(scan, params.surfaces)) {}
+
+  /// As it came.
+  [[nodiscard]] const Scan& arrived() const { return scan_; }
+  /// As it is placed.
+  [[nodiscard]] const Scan& scan() const { return deskewed_ ? deskewed_->scan : scan_; }
+  /// 0 where it is not deskewed.
+  [[nodiscard]] double sweep_s() const { return sweep_s_; }
+  void deskew(const SweepMotion& motion) {
+    motion_ = motion;
+    deskewed_ = deskewed(scan_, motion, params_.surfaces);
+    points_ = surface_points_from_scan(deskewed_->scan, params_.surfaces);
+    surfaces_.reset();
+  }
+  /// Of the deskewed scan.
+  [[nodiscard]] PlacedSweep placed_at(const Pose2& T_odom_sensor, const SweepMotion& motion) const {
+    return {points(), deskewed_->share, T_odom_sensor, motion};
+  }
+  [[nodiscard]] const SweepMotion& motion() const { return motion_; }
+  [[nodiscard]] std::optional<Scan> take_deskewed() {
+    return deskewed_ ? std::optional<Scan>(std::move(deskewed_->scan)) : std::nullopt;
+  }
 
   [[nodiscard]] std::size_t num_points() const { return points().size(); }
   [[nodiscard]] SurfaceSamples all_points() const {
     return sample_surface(points(), points().size());
   }
   [[nodiscard]] const ScanSurfacesPtr& surfaces() {
-    if (!surfaces_) surfaces_ = scan_surfaces(scan_, std::move(points_), image_params_);
+    if (!surfaces_) surfaces_ = scan_surfaces(scan(), std::move(points_), params_.image);
     return surfaces_;
   }
 
@@ -39,7 +63,10 @@ class ScanTracker::ArrivedScan {
   }
 
   const Scan& scan_;
-  const SurfaceImage::Params& image_params_;
+  const ScanTrackerParams& params_;
+  double sweep_s_ = 0.0;
+  SweepMotion motion_;
+  std::optional<DeskewedScan> deskewed_;
   SurfacePoints points_;  ///< Until they are part of the surfaces.
   ScanSurfacesPtr surfaces_;
 };
@@ -72,7 +99,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
       case Situation::kNoSubmap:
         return {.T_odom_sensor = predicted, .open = {}};
       case Situation::kExpected:
-        return place_expected(arrived, predicted, has_odometry);
+        return place_swept(arrived, predicted, has_odometry);
       case Situation::kAnywhere:
         return place_anywhere(arrived, predicted);
     }
@@ -85,7 +112,9 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_restart) start_anew();
   if (num_lost_ == 0) T_odom_body_placed_ = tracked.T_odom_body;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
-  if (tracked.is_keyframe) keep(scan, arrived.surfaces(), tracked);
+  if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
+  sweep_motion_ = arrived.motion();
+  deskewed_scan_ = arrived.take_deskewed();
   motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
   add_step(tracked, situation);
@@ -103,7 +132,7 @@ std::optional<MountingSighting> ScanTracker::sight(const Scan& scan,
   ArrivedScan arrived(scan, params_);
   if (situation_of(arrived.num_points(), false) != Situation::kExpected) return std::nullopt;
   const TrackedPose start = expected(scan, T_wheels_base);
-  const TrackedPose seen = place_expected(arrived, start.T_odom_sensor, start.has_odometry);
+  const TrackedPose seen = place_swept(arrived, start.T_odom_sensor, start.has_odometry);
   if (seen.status == TrackStatus::kLost) return std::nullopt;
   return MountingSighting{seen.T_odom_sensor, seen.status != TrackStatus::kDegenerate};
 }
@@ -157,14 +186,94 @@ ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is
   return is_behind_gap ? Situation::kAnywhere : Situation::kExpected;
 }
 
+Pose2 ScanTracker::last_sensor(const Scan& scan) const {
+  return BodyMounting(T_base_body_, scan.T_base_sensor).sensor_of(last_.T_odom_body);
+}
+
+SweepMotion ScanTracker::motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const {
+  const Scan& arrived = scan.arrived();
+  SweepMotion motion = even_motion(last_sensor(arrived).inverse() * T_odom_sensor,
+                                   seconds_between(last_.stamp, arrived.stamp),
+                                   scan.sweep_s());
+  if (!params_.deskew.is_sweep_known) motion = {};
+  return motion;
+}
+
+double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {
+  const double sigma_rad_per_s = gyro_.turn_rad(last_.stamp, scan.arrived().stamp)
+                                     ? params_.deskew.gyro_sigma_rad_per_s
+                                     : params_.deskew.motion_sigma_rad_per_s;
+  return 0.5 * std::abs(scan.sweep_s()) * sigma_rad_per_s;
+}
+
+TrackedPose ScanTracker::place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry) {
+  if (scan.sweep_s() == 0.0) return place_expected(scan, predicted, predicted, has_odometry);
+  const SweepMotion expected = motion_to(scan, predicted);
+  scan.deskew(expected);
+  TrackedPose tracked = place_expected(scan, predicted, predicted, has_odometry);
+  SweepMotion motion = expected;
+  if (tracked.score < params_.deskew.sudden_turn.below_score) {
+    motion = place_turned(scan, predicted, has_odometry, expected, tracked).value_or(expected);
+  }
+  for (int i = 0; i < params_.deskew.max_num_turns; ++i) {
+    if (tracked.status == TrackStatus::kLost) return tracked;
+    SweepMotion better = turns_seen(scan, tracked.T_odom_sensor, motion, expected, i < 2);
+    if (change_rad(motion, better) < params_.deskew.converged_rad) return tracked;
+    better.way_m = motion_to(scan, tracked.T_odom_sensor).way_m;
+    scan.deskew(better);
+    const bool is_recovered = tracked.status == TrackStatus::kRecovered;
+    tracked = place_expected(scan, tracked.T_odom_sensor, predicted, has_odometry);
+    if (is_recovered) tracked.status = TrackStatus::kRecovered;
+    motion = better;
+  }
+  return tracked;
+}
+
+SweepMotion ScanTracker::turns_seen(const ArrivedScan& scan,
+                                    const Pose2& T_odom_sensor,
+                                    const SweepMotion& motion,
+                                    const SweepMotion& expected,
+                                    bool is_first) {
+  const SubmapRefinementParams& refinement = params_.refinement;
+  return refined_turns(scan.placed_at(T_odom_sensor, motion),
+                       expected,
+                       turn_sigma_rad(scan),
+                       submap_images_,
+                       is_first ? refinement.first_step : refinement.later_steps,
+                       marks_);
+}
+
+std::optional<SweepMotion> ScanTracker::place_turned(ArrivedScan& scan,
+                                                     const Pose2& predicted,
+                                                     bool has_odometry,
+                                                     const SweepMotion& motion,
+                                                     TrackedPose& tracked) {
+  const Scan& arrived = scan.arrived();
+  const SuddenTurnParams& params = params_.deskew.sudden_turn;
+  const SuddenTurn turn = find_sudden_turn(
+      {arrived, last_sensor(arrived), seconds_between(last_.stamp, arrived.stamp), scan.sweep_s()},
+      submap_images_,
+      params_.surfaces,
+      params);
+  scan.deskew(turn.motion);
+  const TrackedPose turned = place_expected(scan, turn.T_odom_sensor, predicted, has_odometry);
+  if (turned.status != TrackStatus::kLost && turned.score > tracked.score + params.min_gain) {
+    tracked = turned;
+    return turn.motion;
+  }
+  scan.deskew(motion);
+  return std::nullopt;
+}
+
 TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
+                                        const Pose2& start,
                                         const Pose2& predicted,
                                         bool has_odometry) {
   const SurfaceSamples points = scan.all_points();
   const PredictionTrust& trust =
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
-  SubmapFit fit = refine_in_submap(problem, predicted, params_.refinement);
+  SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
   if (long_steps_.are_expected()) {
     const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
     const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);

@@ -8,6 +8,7 @@
 
 #include "setsquare/scan/scan.hpp"
 #include "setsquare/tracking/agreed_place.hpp"
+#include "setsquare/tracking/deskew.hpp"
 #include "setsquare/tracking/gyro.hpp"
 #include "setsquare/tracking/keyframe.hpp"
 #include "setsquare/tracking/long_steps.hpp"
@@ -31,6 +32,10 @@ namespace setsquare {
 ///    guess-free matcher, anywhere and at any turn. After a gap no other answer counts.
 /// 4. Search along the corridor where the walls leave a direction free.
 /// 5. Keep the scan as a keyframe where it is far enough from the last one.
+///
+/// A scan that says how long it swept is deskewed before each refinement, first by the motion that
+/// is expected, then by the turns that the walls show (refined_turns); its pose is that of the
+/// middle of its sweep.
 class ScanTracker {
  public:
   explicit ScanTracker(const ScanTrackerParams& params = {});
@@ -52,6 +57,12 @@ class ScanTracker {
   /// Where a scan is expected, which is not mapped. Not to be called before the first track().
   [[nodiscard]] TrackedPose expected(const Scan& scan,
                                      const std::optional<Pose2>& T_wheels_base) const;
+
+  /// The last scan as it was placed where it was deskewed, else nothing.
+  [[nodiscard]] const std::optional<Scan>& deskewed_scan() const { return deskewed_scan_; }
+
+  /// How its sensor moved while it swept; rest where it was not deskewed.
+  [[nodiscard]] const SweepMotion& sweep_motion() const { return sweep_motion_; }
 
   /// The scans kept that the next one is compared with, the latest at the back.
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
@@ -75,7 +86,32 @@ class ScanTracker {
   [[nodiscard]] std::optional<Pose2> body_by_wheels(
       const std::optional<Pose2>& T_wheels_base) const;
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
-  TrackedPose place_expected(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  /// As the scan is, from a place near the predicted one.
+  TrackedPose place_expected(ArrivedScan& scan,
+                             const Pose2& start,
+                             const Pose2& predicted,
+                             bool has_odometry);
+  /// The same of a scan that is deskewed meanwhile.
+  TrackedPose place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  /// A place that a sudden turn leads to, with the sweep's motion; nothing where none is better
+  /// than `tracked`. The scan is left deskewed by that motion, or by `motion`.
+  std::optional<SweepMotion> place_turned(ArrivedScan& scan,
+                                          const Pose2& predicted,
+                                          bool has_odometry,
+                                          const SweepMotion& motion,
+                                          TrackedPose& tracked);
+  /// The motion by which the walls see a sweep bent least (refined_turns).
+  [[nodiscard]] SweepMotion turns_seen(const ArrivedScan& scan,
+                                       const Pose2& T_odom_sensor,
+                                       const SweepMotion& motion,
+                                       const SweepMotion& expected,
+                                       bool is_first);
+  /// Where the scan's sensor was at the last scan.
+  [[nodiscard]] Pose2 last_sensor(const Scan& scan) const;
+  /// How the sensor moves during its sweep if it moved evenly to a place since the last scan.
+  [[nodiscard]] SweepMotion motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const;
+  /// How uncertain the turns are that it is expected to make.
+  [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
   /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
   [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
@@ -135,6 +171,8 @@ class ScanTracker {
     Pose2 T_odom_body;
     bool is_tracked = false;  ///< Without a jump.
   } last_;
+  std::optional<Scan> deskewed_scan_;
+  SweepMotion sweep_motion_;
   std::size_t num_scans_ = 0;
   Pose2 T_odom_body_placed_;  ///< At the last scan that was not lost, of those that see enough.
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.

@@ -67,6 +67,37 @@ void PlaceVoteParams::validate() const {
   require_not_negative(min_votes_for_jump, "votes.min_votes_for_jump");
 }
 
+void SuddenTurnParams::validate() const {
+  require_finite(below_score, "deskew.sudden_turn.below_score");
+  require_finite(min_gain, "deskew.sudden_turn.min_gain");
+  require_positive(fastest_rad_per_s, "deskew.sudden_turn.fastest_rad_per_s");
+  require_positive(step_rad, "deskew.sudden_turn.step_rad");
+  require_positive(scale_m, "deskew.sudden_turn.scale_m");
+  require_at_least_one(max_samples, "deskew.sudden_turn.max_samples");
+}
+
+void SweepTrialParams::validate() const {
+  require_positive(max_period_s, "deskew.trial.max_period_s");
+  require_positive(min_turn_rad, "deskew.trial.min_turn_rad");
+  require_finite(min_score, "deskew.trial.min_score");
+  require_at_least_one(min_turns, "deskew.trial.min_turns");
+  require_positive(num_sigmas, "deskew.trial.num_sigmas");
+  require_not_negative(max_share_at_once, "deskew.trial.max_share_at_once");
+  require_not_negative(max_off_whole, "deskew.trial.max_off_whole");
+  if (!(min_share > max_share_at_once)) {
+    throw ParameterError("deskew.trial.min_share", "must be above max_share_at_once");
+  }
+}
+
+void DeskewParams::validate() const {
+  require_at_least_one(max_num_turns, "deskew.max_num_turns");
+  require_positive(converged_rad, "deskew.converged_rad");
+  require_positive(gyro_sigma_rad_per_s, "deskew.gyro_sigma_rad_per_s");
+  require_positive(motion_sigma_rad_per_s, "deskew.motion_sigma_rad_per_s");
+  sudden_turn.validate();
+  trial.validate();
+}
+
 void ScanTrackerParams::validate() const {
   require_at_least_one(num_keyframes, "num_keyframes");
   require_at_least_one(num_scans_averaged, "num_scans_averaged");
@@ -80,6 +111,7 @@ void ScanTrackerParams::validate() const {
   votes.validate();
   gap.validate();
   gyro.validate();
+  deskew.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");

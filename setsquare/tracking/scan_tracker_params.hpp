@@ -114,12 +114,58 @@ struct LongStepParams {
   void validate() const;
 };
 
+/// Parameters of find_sudden_turn.
+struct SuddenTurnParams {
+  double below_score = 0.6;  ///< Swept scans that score less as expected are searched, ...
+  double min_gain = 0.1;     ///< ... and what is found must beat the score by this much.
+  double fastest_rad_per_s = 5.5;
+  double step_rad = 0.1;          ///< Of the turns that are tried.
+  double scale_m = 0.15;          ///< Closeness of points to surfaces.
+  std::size_t max_samples = 120;  ///< Of the scan.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of place_votes and agreed_place.
 struct PlaceVoteParams {
   std::size_t num_keyframes = 4;    ///< Asked, the latest.
   double same_m = 0.3;              ///< Poses nearer than this ...
   double same_rad = 0.1;            ///< ... and this to each other are one place.
   double min_votes_for_jump = 1.5;  ///< For a place far from the expected one.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of SweepTrial. Shares are of the time from scan to scan.
+struct SweepTrialParams {
+  bool is_on = true;                        ///< For scanners that spin.
+  double max_period_s = 0.3;                ///< From scan to scan; with a longer one none is tried.
+  double min_turn_rad = rad_from_deg(5.0);  ///< From scan to scan, of those that are compared.
+  double min_score = 0.6;                   ///< Of the same, by tracking.
+  std::size_t min_turns = 6;                ///< Compared before it is judged.
+  double num_sigmas = 2.0;                  ///< By so many standard errors the median must be ...
+  double max_share_at_once = 0.3;           ///< ... below this: there is no sweep, or ...
+  double min_share = 0.4;                   ///< ... above this: there is one.
+  double max_off_whole = 0.35;  ///< So near to 1 it takes the whole time, as scanners do that spin.
+  std::size_t max_scans = 3000;  ///< Then the trial ends.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of deskewing (deskewed, refined_turns).
+struct DeskewParams {
+  bool is_on = true;      ///< For scans that say how long they swept.
+  int max_num_turns = 5;  ///< Times that the turns during a sweep are corrected ...
+  double converged_rad = rad_from_deg(0.3);  ///< ... unless they change by less.
+  double gyro_sigma_rad_per_s = 0.2;    ///< Of the turning rate expected in a sweep, by a gyro,
+  double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
+  /// Whether scans truly sweep as they say; else a sweep is expected to show no turn (SweepTrial).
+  bool is_sweep_known = true;
+  SuddenTurnParams sudden_turn;
+  SweepTrialParams trial;
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -140,6 +186,7 @@ struct ScanTrackerParams {
   PlaceVoteParams votes;
   ScanGapParams gap;
   GyroParams gyro;
+  DeskewParams deskew;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.

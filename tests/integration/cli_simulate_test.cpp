@@ -174,6 +174,27 @@ TEST(CommandSimulate, TheLogIsOneThatTheMapperMaps) {
   }
 }
 
+TEST(CommandSimulate, AFastTurnSkewsTheScansAndTheMapperSetsThemStraight) {
+  const TemporaryFolder folder;
+  const auto out = simulate(folder,
+                            "--building office --no-people --scanner low-cost-360 --rate 7 "
+                            "--sweep-time 0.142 --spin 360 --turn-rate 180 --format jsonl");
+  const auto records = records_of(out / "scans.jsonl");
+  ASSERT_GT(records.size(), 2U);
+  const Scan& scan = records[1].scan;
+  EXPECT_NEAR(scan.time_increment_s * static_cast<double>(scan.num_beams() - 1), 0.142, 1e-9);
+  const auto map = folder.path() / "map";
+  const CommandOutcome outcome =
+      run_setsquare("map '" + (out / "scans.jsonl").string() + "' --no-odometry --to 3.9 -o '" +
+                    map.string() + "'");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("as stated; scans are deskewed"));
+  const Trajectory mapped = read_trajectory_tum((map / "trajectory.tum").string());
+  EXPECT_NEAR(wrap_to_pi(mapped.back().pose.theta_rad - mapped.front().pose.theta_rad),
+              0.0,
+              rad_from_deg(0.5));
+}
+
 TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
   const TemporaryFolder folder;
   const auto out = folder.path() / "out";

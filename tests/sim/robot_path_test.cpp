@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
@@ -166,6 +167,22 @@ TEST(SampleTimesTest, SamplesAreOneStepApartInDistanceOrAngle) {
   }
   EXPECT_THROW(static_cast<void>(sample_times(RobotPath({{0, 0}}), 0.0, 1.0)), ParameterError);
   EXPECT_THROW(static_cast<void>(sample_times(RobotPath({{0, 0}}), 1.0, 0.0)), ParameterError);
+}
+
+TEST(RobotPathTest, BeforeItDrivesOffItTurnsOnTheSpot) {
+  const double rate = rad_from_deg(90.0);
+  const RobotPath path({{1.0, 2.0}, {1.0, 5.0}},
+                       {.drive_m_per_s = 0.5, .turn_rad_per_s = rate},
+                       {.turn_rad = kTwoPi, .rest_s = 1.0});
+  EXPECT_NEAR(path.duration_s(), 1.0 + 4.0 + 1.0 + 6.0, 1e-9);
+  EXPECT_DOUBLE_EQ(path.length_m(), 3.0);
+  for (const auto& [time_s, turned_deg] :
+       {std::pair{0.5, 0.0}, {2.0, 90.0}, {4.0, 270.0}, {5.0, 360.0}, {5.9, 360.0}}) {
+    const Pose2 expected{1.0, 2.0, wrap_to_pi(0.5 * kPi + rad_from_deg(turned_deg))};
+    EXPECT_THAT(path.pose_at(time_s), PoseNear(expected, PoseTolerance{})) << time_s;
+  }
+  EXPECT_THAT(path.pose_at(8.0), PoseNear(Pose2{1.0, 3.0, 0.5 * kPi}, PoseTolerance{}));
+  EXPECT_THROW(RobotPath({{0, 0}, {1, 0}}, {}, {.turn_rad = 1.0, .rest_s = -1.0}), ParameterError);
 }
 
 }  // namespace setsquare::testing::robot_path_test

@@ -116,6 +116,9 @@ void map_log(MapOptions options) {
     std::cout << sentence << "\n";
   }
   if (run.map.gyro.num_samples > 0) std::cout << sentence_on(run.map.gyro) << "\n";
+  if (const std::string on_sweep = sentence_on(run.map.sweep); !on_sweep.empty()) {
+    std::cout << on_sweep << "\n";
+  }
   tell_files(options.output_path, outputs.added());
   tell_findings(run.findings);
   tell_problems(options.log_name(), run.problems);

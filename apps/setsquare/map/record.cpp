@@ -70,6 +70,7 @@ Json json_of_options(const MapOptions& options) {
           {"range_scale", options.log.range_scale},
           {"ignored_ranges_m", options.log.ignored_ranges_m},
           {"mirror_scans", options.log.mirrors_scans},
+          {"sweep_time_s", json_if(options.log.sweep_time_s, 1.0)},
           {"stamp_decimals", static_cast<int>(options.log.stamp_unit)}};
 }
 

@@ -254,6 +254,15 @@ void add_log_options(CLI::App& subcommand, LogOptions& options) {
                  [&options](double range_m) { options.max_range_m = range_m; })
       ->check(number_above(0.0))
       ->default_str("from the log, else 50");
+  add_log_number(
+      subcommand,
+      "--sweep-time",
+      "S",
+      "From a scan's first beam to its last; negative: the last is measured first; 0: all "
+      "at once",
+      [&options](double sweep_time_s) { options.sweep_time_s = sweep_time_s; })
+      ->check(number_from(-10.0, 10.0))
+      ->default_str("from the log");
   add_row_options(subcommand, options, add_layout_option(subcommand, options));
   add_log_mending_options(subcommand, options);
 }

@@ -15,6 +15,9 @@ namespace setsquare::app {
 namespace {
 
 constexpr int kMaxScanners = 9;  // ROBOTLASER1 to ROBOTLASER9
+constexpr double kFastestTurn_deg_per_s = 36000.0;
+constexpr double kWidestSpin_deg = 36000.0;
+constexpr double kRestAtSpin_s = 1.0;
 
 void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
   CLI::Option* const building =
@@ -69,6 +72,13 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
       ->check(whole_number(2, kMaxBeams))
       ->type_name("N")
       ->default_str("the scanner's");
+  subcommand
+      .add_option("--sweep-time",
+                  options.sweep_time_s,
+                  "From the first beam to the last, while the robot moves; 0: all at once")
+      ->check(number_from(0.0, 10.0))
+      ->type_name("S")
+      ->default_str("the scanner's");
   CLI::Option* const mounting =
       subcommand
           .add_option_function<std::vector<std::string>>(
@@ -94,10 +104,32 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
       ->needs(mounting);
 }
 
-void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
+void add_motion_options(CLI::App& subcommand, SimulateOptions& options) {
   subcommand.add_option("--speed", options.speed.drive_m_per_s, "Of the robot, in m/s")
       ->check(number_above(0.0))
       ->type_name("M/S");
+  subcommand
+      .add_option_function<double>(
+          "--turn-rate",
+          [&options](double deg_per_s) { options.speed.turn_rad_per_s = rad_from_deg(deg_per_s); },
+          "How fast it turns on the spot and, at most, in corners")
+      ->check(number_above(0.0, kFastestTurn_deg_per_s))
+      ->type_name("DEG_PER_S")
+      ->default_str("28.6");
+  subcommand
+      .add_option_function<double>(
+          "--spin",
+          [&options](double deg) {
+            options.turn_at_start = {.turn_rad = rad_from_deg(deg), .rest_s = kRestAtSpin_s};
+          },
+          "Before it drives off it turns on the spot, by so much, and rests before and after")
+      ->check(number_from(-kWidestSpin_deg, kWidestSpin_deg))
+      ->type_name("DEG")
+      ->default_str("0");
+}
+
+void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
+  add_motion_options(subcommand, options);
   CLI::Option* const rate =
       subcommand.add_option("--rate", options.scans_per_s, "Scans per second")
           ->check(number_above(0.0))
@@ -127,9 +159,19 @@ void add_simulate_options(CLI::App& subcommand, SimulateOptions& options) {
       .add_option("-o,--output", options.output_path, "Directory for the results; made if absent")
       ->type_name("DIR")
       ->required();
+  add_choice<bool, bool>(subcommand,
+                         "--format",
+                         options.writes_json_lines,
+                         {{"clf", false}, {"jsonl", true}},
+                         "Of the log: CARMEN, or JSON lines, which state the sweep time",
+                         "clf");
   add_world_options(subcommand, options);
   add_scanner_options(subcommand, options);
   add_robot_options(subcommand, options);
+}
+
+std::string log_name(const SimulateOptions& options) {
+  return options.writes_json_lines ? "scans.jsonl" : "scans.clf";
 }
 
 ScannerModel scanner_from(const SimulateOptions& options) {
@@ -138,6 +180,7 @@ ScannerModel scanner_from(const SimulateOptions& options) {
     scanner = with_field_of_view(scanner, rad_from_deg(*options.field_of_view_deg));
   }
   if (options.num_beams) scanner = with_num_beams(scanner, *options.num_beams);
+  if (options.sweep_time_s) scanner.sweep_s = *options.sweep_time_s;
   return scanner;
 }
 

@@ -12,6 +12,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/carmen/writer.hpp"
+#include "setsquare/io/logs/json_lines/writer.hpp"
 #include "setsquare/sim/sensing/odometry_model.hpp"
 #include "setsquare/sim/sensing/simulated_scan.hpp"
 
@@ -111,14 +112,38 @@ CarmenRobot robot_between(const StampedPose& last, const StampedPose& now) {
           moved.theta_rad / elapsed_s};
 }
 
-void append(SimulatedRun& run, const SimulatedScan& simulated, const Pose2& T_odom_base) {
+void append_carmen(SimulatedRun& run, const SimulatedScan& simulated) {
+  const StampedPose& now = run.odometry.back();
+  const std::size_t last = run.odometry.size() > 1 ? run.odometry.size() - 2 : 0;
+  append_carmen_true_pose(run.log, now.stamp, simulated.T_map_base, now.pose);
+  append_carmen_scan(run.log, simulated.scan, robot_between(run.odometry[last], now));
+}
+
+/// Sensors are named as in a CARMEN log.
+void append_json(SimulatedRun& run, const SimulatedScan& simulated) {
+  const StampedPose& now = run.odometry.back();
+  LogRecord record;
+  record.stamp = now.stamp;
+  record.T_odom_base = now.pose;
+  record.kind = RecordKind::kTruePose;
+  record.sensor = "TRUEPOS";
+  record.T_map_base = simulated.T_map_base;
+  append_json_record(run.log, record);
+  record.kind = RecordKind::kScan;
+  record.sensor = fmt::format("ROBOTLASER{}", simulated.scan.scanner + 1);
+  record.scan = simulated.scan;
+  record.T_map_base.reset();
+  append_json_record(run.log, record);
+}
+
+void append(SimulatedRun& run,
+            const SimulatedScan& simulated,
+            const Pose2& T_odom_base,
+            bool is_json) {
   const Timestamp stamp = simulated.scan.stamp;
   run.truth.push_back({stamp, simulated.T_map_base});
   run.odometry.push_back({stamp, T_odom_base});
-  const std::size_t last = run.odometry.size() > 1 ? run.odometry.size() - 2 : 0;
-  append_carmen_true_pose(run.log, stamp, simulated.T_map_base, T_odom_base);
-  append_carmen_scan(
-      run.log, simulated.scan, robot_between(run.odometry[last], run.odometry.back()));
+  is_json ? append_json(run, simulated) : append_carmen(run, simulated);
   run.clutter_share += simulated.clutter_share;
 }
 
@@ -126,7 +151,7 @@ void append(SimulatedRun& run, const SimulatedScan& simulated, const Pose2& T_od
 
 SimulatedRun run_simulation(const Building& world, const SimulateOptions& options) {
   const ScannerModel scanner = scanner_from(options);
-  const RobotPath path(world.route_m, options.speed);
+  const RobotPath path(world.route_m, options.speed, options.turn_at_start);
   const std::vector<Sweep> sweeps =
       sweeps_of(times_of_scans(path, options, scanner.sweep_s), options, scanner.sweep_s);
   const RayCaster caster(world.plan);
@@ -149,7 +174,9 @@ SimulatedRun run_simulation(const Building& world, const SimulateOptions& option
                                             mounting.T_base_true);
     simulated.scan.scanner = static_cast<std::uint32_t>(sweeps[i].scanner);
     simulated.scan.T_base_sensor = mounting.T_base_stated;
-    append(run, simulated, odometry.move_to(simulated.T_map_base));
+    const auto num_steps = static_cast<double>(simulated.scan.num_beams() - 1);
+    simulated.scan.time_increment_s = scanner.sweep_s / num_steps;
+    append(run, simulated, odometry.move_to(simulated.T_map_base), options.writes_json_lines);
     if (i == 0) run.num_beams = simulated.scan.num_beams();
     progress.advance(static_cast<double>(i + 1) / static_cast<double>(sweeps.size()));
   }

@@ -30,7 +30,7 @@ void tell(const SimulateOptions& options, const SimulatedRun& run, double elapse
   std::cout << fmt::format(
       "{}: {} scans of {} beams, {:.0f} m driven in {:.0f} s; {:.0f} % of the returns from "
       "furniture, clutter and people\nsimulated in {:.2f} s ({:.0f} us per scan)\n"
-      "written: {}/scans.clf, truth.tum, plan.svg\n",
+      "written: {}/{}, truth.tum, plan.svg\n",
       name_of_world(options),
       run.truth.size(),
       run.num_beams,
@@ -39,18 +39,20 @@ void tell(const SimulateOptions& options, const SimulatedRun& run, double elapse
       100.0 * run.clutter_share,
       elapsed_s,
       1e6 * elapsed_s / static_cast<double>(run.truth.size()),
-      options.output_path);
+      options.output_path,
+      log_name(options));
 }
 
 void simulate(const SimulateOptions& options) {
   using Clock = std::chrono::steady_clock;
-  OutputSet outputs(
-      options.output_path, {"scans.clf", "truth.tum", "plan.svg"}, files_of_world(options));
+  OutputSet outputs(options.output_path,
+                    {"scans.clf", "scans.jsonl", "truth.tum", "plan.svg"},
+                    files_of_world(options));
   const Building world = world_from(options);
   const auto start = Clock::now();
   const SimulatedRun run = run_simulation(world, options);
   const double elapsed_s = std::chrono::duration<double>(Clock::now() - start).count();
-  outputs.add("scans.clf", run.log);
+  outputs.add(log_name(options), run.log);
   outputs.add("truth.tum", tum_from_trajectory(run.truth));
   outputs.add("plan.svg", plan_picture(world, run.truth, name_of_world(options)));
   outputs.commit();
@@ -65,7 +67,8 @@ void add_simulate(CLI::App& application) {
   const auto options = std::make_shared<SimulateOptions>();
   add_simulate_options(*simulate_command, *options);
   simulate_command->footer(
-      "Writes scans.clf (CARMEN: ROBOTLASER1, 2 ..., and TRUEPOS before each), truth.tum (the "
+      "Writes scans.clf (CARMEN: ROBOTLASER1, 2 ..., and TRUEPOS before each) or scans.jsonl, "
+      "truth.tum (the "
       "robot's "
       "true\n"
       "pose at each scan, in the middle of the sweep) and plan.svg (the building and the way).\n"
@@ -80,6 +83,8 @@ void add_simulate(CLI::App& application) {
       "  setsquare simulate --building wings --scanner low-cost-360 --no-people -o sim\n"
       "  setsquare simulate --building hallway --every 0.4 -o sim\n"
       "  setsquare simulate --mounting 0.25,0.2,45 --mounting -0.25,-0.2,-135 -o sim\n"
+      "  setsquare simulate --spin 360 --turn-rate 180 --scanner low-cost-360 --format jsonl -o "
+      "sim\n"
       "  setsquare simulate --plan flat.svg --plan-scale 0.01 -o sim\n"
       "  setsquare simulate --plan map.yaml --route \"1,1 4,1 4,3\" -o sim");
   simulate_command->callback([options] { simulate(*options); });

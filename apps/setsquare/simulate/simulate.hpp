@@ -33,9 +33,12 @@ struct SimulateOptions {
   std::string scanner = "utm-30lx";
   std::optional<double> field_of_view_deg;
   std::optional<std::size_t> num_beams;
-  std::vector<Pose2> T_base_sensor;  ///< Of each scanner, as the log says; none: one at the base.
-  Pose2 T_stated_true;               ///< The last one's true mounting, seen from the stated one.
+  std::vector<Pose2> T_base_sensor;    ///< Of each scanner, as the log says; none: one at the base.
+  Pose2 T_stated_true;                 ///< The last one's true mounting, seen from the stated one.
+  std::optional<double> sweep_time_s;  ///< From a scan's first beam to its last.
   RobotSpeed speed;
+  TurnAtStart turn_at_start{.rest_s = 0.0};
+  bool writes_json_lines = false;  ///< Instead of a CARMEN log.
   double scans_per_s = 10.0;
   std::optional<double> every_m;  ///< Instead of a rate: a scan after this way or every_deg.
   double every_deg = 10.0;
@@ -44,6 +47,9 @@ struct SimulateOptions {
 
 /// Adds the options. `options` must outlive the application.
 void add_simulate_options(CLI::App& subcommand, SimulateOptions& options);
+
+/// The name of the log that is written.
+[[nodiscard]] std::string log_name(const SimulateOptions& options);
 
 /// The scanner that the options describe. Throws ParameterError.
 [[nodiscard]] ScannerModel scanner_from(const SimulateOptions& options);
@@ -63,7 +69,7 @@ void require_free_route(const RayCaster& caster, const std::vector<Eigen::Vector
 
 /// A run through a world.
 struct SimulatedRun {
-  std::string log;             ///< CARMEN: a TRUEPOS before each ROBOTLASERn.
+  std::string log;             ///< The true pose before each scan.
   Trajectory truth;            ///< Of the base, one pose per scan, at the scan's stamp.
   Trajectory odometry;         ///< What the wheels say, likewise.
   double clutter_share = 0.0;  ///< Mean over the scans: furniture, clutter, people.

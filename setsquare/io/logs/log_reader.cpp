@@ -10,6 +10,12 @@
 #include "setsquare/core/error.hpp"
 
 namespace setsquare {
+namespace {
+
+constexpr double kLongestSweep_s = 10.0;
+
+}  // namespace
+
 std::string summary(const LogProblems& problems) {
   if (problems.num_damaged == 0) return {};
   const LogProblem& first = problems.first.front();
@@ -56,6 +62,9 @@ void LogOptions::validate() const {
   }
   if (!(range_scale > 0.0 && std::isfinite(range_scale))) {
     throw ParameterError("range_scale", "must be above 0 and finite");
+  }
+  if (sweep_time_s && !(std::abs(*sweep_time_s) <= kLongestSweep_s)) {
+    throw ParameterError("sweep_time_s", "must be from -10 to 10 s");
   }
   for (const double range_m : ignored_ranges_m) {
     if (!(range_m > 0.0)) throw ParameterError("ignored_ranges_m", "must be above 0");

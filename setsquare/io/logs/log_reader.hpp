@@ -159,6 +159,9 @@ struct LogOptions {
   /// Left and right exchanged: a scanner mounted upside down, or one whose beams are counted
   /// clockwise.
   bool mirrors_scans = false;
+  /// From a scan's first beam to its last, in s, whatever the log says: negative where the last is
+  /// measured first, 0 where all are measured at once.
+  std::optional<double> sweep_time_s;
   /// Of stamps in a log that is text.
   StampUnit stamp_unit = StampUnit::kSeconds;
 

@@ -113,6 +113,9 @@ void apply_options(const LogOptions& options, Scan& scan) {
     scan.bearing_step_rad = -scan.bearing_step_rad;
   }
   if (options.max_range_m) scan.max_range_m = *options.max_range_m;
+  if (options.sweep_time_s && scan.num_beams() > 1) {
+    scan.time_increment_s = *options.sweep_time_s / static_cast<double>(scan.num_beams() - 1);
+  }
 }
 
 }  // namespace

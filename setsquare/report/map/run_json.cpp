@@ -79,6 +79,15 @@ Json json_from(const GyroReport& gyro) {
           {"bias_deg_per_s", rounded(deg_from_rad(gyro.bias_rad_per_s))}};
 }
 
+/// Nothing where no scanner is known to sweep.
+Json json_from(const SweepReport& sweep) {
+  if (sweep.verdict == SweepVerdict::kUnknown) return {};
+  return {{"verdict", to_string(sweep.verdict)},
+          {"sweep_s", rounded(sweep.sweep_s)},
+          {"stated_s", rounded(sweep.stated_s)},
+          {"turns", sweep.num_turns}};
+}
+
 Json closure_counts(const MapSummary& summary) {
   return {{"compared", summary.num_compared_closures},
           {"accepted", summary.num_accepted_closures},
@@ -127,6 +136,7 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"sensor", run.sensor},
                      {"scanners", array_from(map.scanners, run)},
                      {"gyro", json_from(map.gyro)},
+                     {"sweep", json_from(map.sweep)},
                      {"preset", run.preset},
                      {"frame", pose_of == PoseOf::kSensor ? "sensor" : "base"},
                      {"options", object_from(run.options_json, "options_json")},

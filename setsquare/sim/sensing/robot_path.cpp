@@ -36,13 +36,29 @@ void RobotSpeed::validate() const {
   if (!(corner_radius_m >= 0.0)) throw ParameterError("corner_radius_m", "must not be negative");
 }
 
-RobotPath::RobotPath(const std::vector<Eigen::Vector2d>& route_m, const RobotSpeed& speed)
+void TurnAtStart::validate() const {
+  if (!std::isfinite(turn_rad)) throw ParameterError("turn_rad", "must be finite");
+  if (!(rest_s >= 0.0) || !std::isfinite(rest_s)) {
+    throw ParameterError("rest_s", "must not be negative");
+  }
+}
+
+RobotPath::RobotPath(const std::vector<Eigen::Vector2d>& route_m,
+                     const RobotSpeed& speed,
+                     const TurnAtStart& turn_at_start)
     : speed_(speed) {
   speed.validate();
+  turn_at_start.validate();
   const std::vector<Eigen::Vector2d> corners_m = without_repeats(route_m);
   if (corners_m.empty()) throw ParameterError("route_m", "has no waypoint");
 
   Eigen::Vector2d at_m = corners_m.front();
+  // It ends the turn with the heading in which it drives off.
+  const double heading_rad = corners_m.size() > 1 ? heading_of(corners_m[1] - at_m) : 0.0;
+  const double first_rad = wrap_to_pi(heading_rad - turn_at_start.turn_rad);
+  add_rest({at_m.x(), at_m.y(), first_rad}, turn_at_start.rest_s);
+  add_turn(at_m, first_rad, turn_at_start.turn_rad, 0.0);
+  add_rest({at_m.x(), at_m.y(), heading_rad}, turn_at_start.rest_s);
   for (std::size_t i = 1; i < corners_m.size(); ++i) {
     const Eigen::Vector2d way = corners_m[i] - corners_m[i - 1];
     const Eigen::Vector2d next_way =
@@ -70,6 +86,10 @@ void RobotPath::append(Piece piece) {
   pieces_.push_back(piece);
 }
 
+void RobotPath::add_rest(const Pose2& pose, double rest_s) {
+  if (rest_s > 0.0) append({.start = pose, .duration_s = rest_s});
+}
+
 void RobotPath::add_straight(const Eigen::Vector2d& start_m, double heading_rad, double length_m) {
   if (length_m < 1e-9) return;  // What rounding leaves between two arcs.
   append({.start = {start_m.x(), start_m.y(), heading_rad},
@@ -85,7 +105,7 @@ void RobotPath::add_turn(const Eigen::Vector2d& start_m,
                          double cut_m) {
   if (turn_rad == 0.0) return;
   const double angle_rad = std::abs(turn_rad);
-  const double radius_m = cut_m / std::tan(0.5 * angle_rad);
+  const double radius_m = cut_m > 0.0 ? cut_m / std::tan(0.5 * angle_rad) : 0.0;
   double rate_rad_per_s = speed_.turn_rad_per_s;
   if (cut_m > 0.0) rate_rad_per_s = std::min(rate_rad_per_s, speed_.drive_m_per_s / radius_m);
   append({.start = {start_m.x(), start_m.y(), heading_rad},

@@ -19,6 +19,15 @@ struct RobotSpeed {
   void validate() const;
 };
 
+/// What a robot does before it drives off: it rests, turns on the spot, and rests.
+struct TurnAtStart {
+  double turn_rad = 0.0;  ///< Counterclockwise; more than a whole turn, too.
+  double rest_s = 0.0;    ///< Before the turn, and behind it.
+
+  /// Throws ParameterError where the turn is not finite or the rest is negative.
+  void validate() const;
+};
+
 /// Where a robot is at any time: it follows a route of straight pieces, turning at the corners. Its
 /// pose is continuous in time and its heading is that of its motion.
 class RobotPath {
@@ -27,7 +36,9 @@ class RobotPath {
   /// of the shorter piece at either side; where the arc would be tighter than 2 cm (a reversal),
   /// the robot turns in place. A single waypoint: it stands there with heading 0.
   /// Throws ParameterError where the route is empty or not finite.
-  explicit RobotPath(const std::vector<Eigen::Vector2d>& route_m, const RobotSpeed& speed = {});
+  explicit RobotPath(const std::vector<Eigen::Vector2d>& route_m,
+                     const RobotSpeed& speed = {},
+                     const TurnAtStart& turn_at_start = {});
 
   [[nodiscard]] double duration_s() const { return duration_s_; }
   /// Of the way driven: a little less than the route, whose corners are cut.
@@ -53,6 +64,7 @@ class RobotPath {
     Eigen::Vector2d forward = Eigen::Vector2d::UnitX();  // Of the start.
   };
 
+  void add_rest(const Pose2& pose, double rest_s);
   void add_straight(const Eigen::Vector2d& start_m, double heading_rad, double length_m);
   void add_turn(const Eigen::Vector2d& start_m, double heading_rad, double turn_rad, double cut_m);
   void append(Piece piece);
