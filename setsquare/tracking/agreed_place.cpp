@@ -18,6 +18,13 @@ bool is_within(const ExpectedStep& step, const Pose2& place) {
   return std::hypot(off.x_m, off.y_m) <= step.reach_m && std::abs(off.theta_rad) <= step.reach_rad;
 }
 
+/// Whether two matches that stand alone are one place: others would not change that.
+bool has_two_alike(std::span<const PlaceVote> votes, const PlaceVoteParams& params) {
+  const auto is_alone = [](const PlaceVote& vote) { return vote.status == MatchStatus::kMatched; };
+  return votes.size() == 2 && is_alone(votes[0]) && is_alone(votes[1]) &&
+         is_same_place(votes[0].T_odom_sensor, votes[1].T_odom_sensor, params);
+}
+
 }  // namespace
 
 double vote_weight(MatchStatus status) {
@@ -43,7 +50,7 @@ std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
   const MatchParams match_params = params_of_moments_apart();
   std::vector<PlaceVote> votes;
   const std::size_t num_asked = std::min(params.num_keyframes, keyframes.size());
-  for (std::size_t age = 0; age < num_asked; ++age) {
+  for (std::size_t age = 0; age < num_asked && !has_two_alike(votes, params); ++age) {
     const MatchResult match = setsquare::match(keyframes.scan(age), current, match_params);
     if (!match.T_reference_current) continue;
     votes.push_back(
@@ -58,7 +65,9 @@ std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
   const auto votes_for = [&](const Pose2& place) {
     double sum = step && is_within(*step, place) ? kAmbiguousWeight : 0.0;
     for (const PlaceVote& vote : votes) {
-      if (is_same_place(place, vote.T_odom_sensor, params)) sum += vote_weight(vote.status);
+      if (is_same_place(place, vote.T_odom_sensor, params)) {
+        sum += vote_weight(vote.status);
+      }
     }
     return sum;
   };

@@ -35,7 +35,8 @@ struct AgreedPlace {
 /// fit a corner of any building fits this one.
 [[nodiscard]] MatchParams params_of_moments_apart();
 
-/// The votes of the latest keyframes, the latest first.
+/// The votes of the latest keyframes, the latest first; no more than two where these stand alone
+/// and agree.
 [[nodiscard]] std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
                                                  const PreparedScan& current,
                                                  const PlaceVoteParams& params);

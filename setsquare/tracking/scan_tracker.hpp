@@ -28,10 +28,12 @@ namespace setsquare {
 ///
 /// 1. Predict: from the odometry if there is any, else from the last motion and the gyro.
 /// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
-/// 3. Recover where the scan does not fit, or where the log has a gap that no odometry bridges: the
+/// 3. Where steps from scan to scan are long (LongSteps): the place that several keyframes, matched
+///    with the scan without a guess, agree upon (agreed_place).
+/// 4. Recover where the scan does not fit, or where the log has a gap that no odometry bridges: the
 ///    guess-free matcher, anywhere and at any turn. After a gap no other answer counts.
-/// 4. Search along the corridor where the walls leave a direction free.
-/// 5. Keep the scan as a keyframe where it is far enough from the last one.
+/// 5. Search along the corridor where the walls leave a direction free.
+/// 6. Keep the scan as a keyframe where it is far enough from the last one.
 ///
 /// A scan that says how long it swept is deskewed before each refinement, first by the motion that
 /// is expected, then by the turns that the walls show (refined_turns); its pose is that of the

@@ -25,6 +25,7 @@ TEST(LongSteps, AreUsualWhereSeveralOfTheLatestWere) {
   for (int i = 0; i < 20; ++i) steps.add(kShort);
   steps.add(kLong);
   steps.add(kTurn);
+  steps.add(kLong);
   EXPECT_FALSE(steps.are_expected());
   steps.add(kLong);
   EXPECT_TRUE(steps.are_usual());

@@ -23,10 +23,13 @@ struct JoinedPieces {
 
 /// Finds where pieces of track belong that tracking could not tie to each other.
 ///
-/// 1. Places of a piece are compared by their signatures with those of all pieces joined so far.
-/// 2. The most similar are matched by the guess-free matcher; its answer is verified submap against
+/// 1. Across each break the keyframes just before and just after are matched without a guess, pair
+///    by pair; where they agree, the pieces hang together.
+/// 2. Places of what hangs together are compared by their signatures with those of all that has
+///    been joined so far.
+/// 3. The most similar are matched by the guess-free matcher; its answer is verified submap against
 ///    submap.
-/// 3. Where enough places agree upon where the piece lies, and more than upon any other place, it
+/// 4. Where enough places agree upon where the piece lies, and more than upon any other place, it
 ///    is joined.
 /// `T_map_sensor`: one per keyframe, right within each piece. Throws ParameterError.
 [[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,
