@@ -17,6 +17,13 @@
 
 namespace setsquare {
 
+namespace {
+
+/// Of a scan placed with two motions of its sweep: no difference.
+constexpr double kSameScore = 0.01;
+
+}  // namespace
+
 /// The scan that is being placed. Its image is made when it is first asked for: most scans are
 /// neither recovered nor kept.
 class ScanTracker::ArrivedScan {
@@ -215,18 +222,26 @@ TrackedPose ScanTracker::place_swept(ArrivedScan& scan, const Pose2& predicted, 
   if (tracked.score < params_.deskew.sudden_turn.below_score) {
     motion = place_turned(scan, predicted, has_odometry, expected, tracked).value_or(expected);
   }
+  if (tracked.status == TrackStatus::kLost) return tracked;
+  TrackedPose best = tracked;
+  SweepMotion best_motion = motion;
   for (int i = 0; i < params_.deskew.max_num_turns; ++i) {
-    if (tracked.status == TrackStatus::kLost) return tracked;
     SweepMotion better = turns_seen(scan, tracked.T_odom_sensor, motion, expected, i < 2);
-    if (change_rad(motion, better) < params_.deskew.converged_rad) return tracked;
+    if (change_rad(motion, better) < params_.deskew.converged_rad) break;
     better.way_m = motion_to(scan, tracked.T_odom_sensor).way_m;
     scan.deskew(better);
     const bool is_recovered = tracked.status == TrackStatus::kRecovered;
     tracked = place_expected(scan, tracked.T_odom_sensor, predicted, has_odometry);
-    if (is_recovered) tracked.status = TrackStatus::kRecovered;
     motion = better;
+    // Where half a sweep sees next to nothing, the turns may run away.
+    if (tracked.status == TrackStatus::kLost) break;
+    if (is_recovered) tracked.status = TrackStatus::kRecovered;
+    if (tracked.score < best.score - kSameScore) continue;
+    best = tracked;
+    best_motion = motion;
   }
-  return tracked;
+  if (change_rad(best_motion, motion) > 0.0) scan.deskew(best_motion);
+  return best;
 }
 
 SweepMotion ScanTracker::turns_seen(const ArrivedScan& scan,

@@ -158,8 +158,8 @@ struct SweepTrialParams {
 /// Parameters of deskewing (deskewed, refined_turns).
 struct DeskewParams {
   bool is_on = true;      ///< For scans that say how long they swept.
-  int max_num_turns = 5;  ///< Times that the turns during a sweep are corrected ...
-  double converged_rad = rad_from_deg(0.3);  ///< ... unless they change by less.
+  int max_num_turns = 6;  ///< Times that the turns during a sweep are corrected ...
+  double converged_rad = rad_from_deg(0.1);  ///< ... unless they change by less.
   double gyro_sigma_rad_per_s = 0.2;    ///< Of the turning rate expected in a sweep, by a gyro,
   double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
   /// Whether scans truly sweep as they say; else a sweep is expected to show no turn (SweepTrial).
