@@ -19,6 +19,9 @@ struct MotionCovariance {
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
   bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
+  /// Whether tracking began anew for a step that was too long, among others as long: the scans
+  /// before and after were taken near each other.
+  bool is_long_step = false;
 };
 
 /// Gathers, scan by scan, how uncertain the motion since the last keyframe is.
@@ -42,6 +45,7 @@ class MotionUncertainty {
   bool has_last_ = false;
   bool was_lost_ = false;           ///< The last scan ...
   std::uint32_t last_scanner_ = 0;  ///< ... and its scanner.
+  bool is_long_step_ = false;       ///< Of the last scan.
   bool has_odometry_ = true;        ///< At every scan since the last keyframe.
   Pose2 T_odom_last_;               ///< Of the body at the last scan ...
   Pose2 T_odom_keyframe_;           ///< ... and at the last keyframe.
