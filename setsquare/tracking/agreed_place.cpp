@@ -13,6 +13,15 @@ namespace {
 constexpr double kAloneWeight = 1.0;
 constexpr double kAmbiguousWeight = 0.5;
 
+/// For scans of which one was taken moments before the other: what would fit a corner of any
+/// building fits this one.
+MatchParams params_of_moments_apart() {
+  MatchParams params;
+  params.answer.min_distinct_m = 0.0;
+  params.answer.clear_distinct_m = 0.0;
+  return params;
+}
+
 bool is_within(const ExpectedStep& step, const Pose2& place) {
   const Pose2 off = step.T_odom_sensor.inverse() * place;
   return std::hypot(off.x_m, off.y_m) <= step.reach_m && std::abs(off.theta_rad) <= step.reach_rad;
@@ -30,13 +39,6 @@ bool has_two_alike(std::span<const PlaceVote> votes, const PlaceVoteParams& para
 double vote_weight(MatchStatus status) {
   if (status == MatchStatus::kMatched) return kAloneWeight;
   return status == MatchStatus::kAmbiguous ? kAmbiguousWeight : 0.0;
-}
-
-MatchParams params_of_moments_apart() {
-  MatchParams params;
-  params.answer.min_distinct_m = 0.0;
-  params.answer.clear_distinct_m = 0.0;
-  return params;
 }
 
 bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params) {

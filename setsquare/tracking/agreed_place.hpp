@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "setsquare/core/pose2.hpp"
-#include "setsquare/matching/match_params.hpp"
 #include "setsquare/scan/match_result.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/prepared_keyframes.hpp"
@@ -30,10 +29,6 @@ struct AgreedPlace {
 
 /// What a match says for the place that it gives.
 [[nodiscard]] double vote_weight(MatchStatus status);
-
-/// The matcher's parameters for scans of which one was taken moments before the other: what would
-/// fit a corner of any building fits this one.
-[[nodiscard]] MatchParams params_of_moments_apart();
 
 /// The votes of the latest keyframes, the latest first; no more than two where these stand alone
 /// and agree.

@@ -79,6 +79,7 @@ void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep)
   } else if (tracked.is_restart) {
     add_jump(params_.restart_sigma_m, params_.restart_sigma_rad);
   }
+  is_long_step_ = tracked.is_long_step;
   T_odom_last_ = tracked.T_odom_body;
   was_lost_ = tracked.status == TrackStatus::kLost;
   last_sweep_ = sweep;
@@ -97,6 +98,7 @@ MotionCovariance MotionUncertainty::take() {
       open_sigma_m_ * open_sigma_m_;
   covariance.rotation_rad2 = sigma_rad * sigma_rad + jump_variance_rad2_;
   covariance.has_odometry = has_odometry_;
+  covariance.is_long_step = is_long_step_;
   covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + (open_sigma_m_ * open_sigma_m_).trace());
   T_odom_keyframe_ = T_odom_last_;
   open_sigma_m_.setZero();

@@ -20,6 +20,9 @@ struct MotionCovariance {
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
   bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
+  /// Whether tracking began anew for a step that was too long, among others as long: the scans
+  /// before and after were taken near each other.
+  bool is_long_step = false;
 };
 
 /// Gathers, scan by scan, how uncertain the motion since the last keyframe is.
@@ -43,12 +46,13 @@ class MotionUncertainty {
 
   MotionUncertaintyParams params_;
   bool has_last_ = false;
-  bool was_lost_ = false;     ///< The last scan ...
-  SweepStart last_sweep_;     ///< ... and its scanner.
-  double open_s_ = 0.0;       ///< Since when no scan has told the speed.
-  bool has_odometry_ = true;  ///< At every scan since the last keyframe.
-  Pose2 T_odom_last_;         ///< Of the body at the last scan ...
-  Pose2 T_odom_keyframe_;     ///< ... and at the last keyframe.
+  bool was_lost_ = false;      ///< The last scan ...
+  SweepStart last_sweep_;      ///< ... and its scanner.
+  bool is_long_step_ = false;  ///< Of the last scan.
+  double open_s_ = 0.0;        ///< Since when no scan has told the speed.
+  bool has_odometry_ = true;   ///< At every scan since the last keyframe.
+  Pose2 T_odom_last_;          ///< Of the body at the last scan ...
+  Pose2 T_odom_keyframe_;      ///< ... and at the last keyframe.
   /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.
   Eigen::Matrix2d open_sigma_m_ = Eigen::Matrix2d::Zero();
   double jump_variance_m2_ = 0.0;

@@ -114,6 +114,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   }();
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = has_odometry;
+  tracked.is_long_step = long_steps_.are_usual();
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation, tracked.T_odom_body);
   if (tracked.is_restart) start_anew();

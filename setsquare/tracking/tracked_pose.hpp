@@ -23,6 +23,7 @@ struct TrackedPose {
   bool is_keyframe = false;
   bool is_mapped = true;      ///< Else the pose is the expected one (MappedScanner).
   bool is_restart = false;    ///< Lost for so long that the submap restarts with this scan.
+  bool is_long_step = false;  ///< One of many: a log of key frames, a low rate (LongSteps).
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.

@@ -69,7 +69,9 @@ class PieceJoiner {
   JoinedPieces join_all() {
     if (places_.empty()) return joined_;
     for (std::size_t k = 1; k < track_.size(); ++k) {
-      if (track_.pieces[k] != track_.pieces[k - 1]) join_across_break(k);
+      if (track_.pieces[k] != track_.pieces[k - 1] && track_.motions[k].is_long_step) {
+        join_across_break(k);
+      }
     }
     const std::size_t main = largest_group();
     // A group that finds no place may find one when others have been joined.
@@ -241,11 +243,10 @@ class PieceJoiner {
 
   /// Those of the proposals, across a break, whose scans match.
   [[nodiscard]] std::vector<Proposal> matched(const std::vector<Proposal>& proposals) {
-    const MatchParams params = params_of_moments_apart();
     std::vector<Proposal> matched;
     for (Proposal proposal : proposals) {
       const MatchResult match =
-          setsquare::match(prepared(proposal.known), prepared(proposal.sought), params);
+          setsquare::match(prepared(proposal.known), prepared(proposal.sought));
       proposal.weight = vote_weight(match.status);
       if (!match.T_reference_current || proposal.weight == 0.0) continue;
       const Pose2& T_map_known = T_map_sensor_[proposal.known];
