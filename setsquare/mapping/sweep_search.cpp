@@ -20,10 +20,14 @@ bool is_as_stated(double found_s, double stated_s) {
 
 void SweepSearch::begin(const Scan& scan) {
   scanner_ = scan.scanner;
-  report_.stated_s = report_.sweep_s = sweep_time_s(scan);
-  report_.verdict = report_.stated_s != 0.0 ? SweepVerdict::kStated : SweepVerdict::kUnknown;
+  report_.stated_s = sweep_time_s(scan);
   const bool is_tried = params_.deskew.is_on && params_.deskew.trial.is_on;
-  if (is_tried && sees_all_around(scan)) trial_.emplace(params_);
+  if (is_tried && sees_all_around(scan)) {
+    trial_.emplace(params_);
+  } else if (report_.stated_s != 0.0) {
+    report_.verdict = SweepVerdict::kStated;
+    report_.sweep_s = report_.stated_s;
+  }
 }
 
 void SweepSearch::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
@@ -42,14 +46,14 @@ void SweepSearch::settle() {
   report_.num_turns = trial_->num_turns();
   const std::optional<double> found_s = trial_->sweep_s();
   trial_.reset();
-  must_map_again_ = found_s && !is_as_stated(*found_s, report_.stated_s);
   if (found_s == 0.0) {
     report_.verdict = SweepVerdict::kAtOnce;
-    report_.sweep_s = 0.0;
-  } else if (must_map_again_) {
-    report_.verdict = SweepVerdict::kFound;
-    report_.sweep_s = *found_s;
+  } else if (found_s) {
+    const bool is_stated = is_as_stated(*found_s, report_.stated_s);
+    report_.verdict = is_stated ? SweepVerdict::kStated : SweepVerdict::kFound;
+    report_.sweep_s = is_stated ? report_.stated_s : *found_s;
   }
+  must_map_again_ = report_.sweep_s != 0.0;
   if (!must_map_again_) inputs_ = {};
 }
 

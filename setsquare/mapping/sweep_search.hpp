@@ -25,8 +25,9 @@ struct MapperTurnRate {
 using MapperInput = std::variant<MapperScan, MapperTurnRate>;
 
 /// Puts the sweep time of the leading scanner, if it spins, on trial (SweepTrial), and keeps what
-/// came meanwhile: where the walls show another sweep time than the log states, all of it is to be
-/// mapped again. What other scanners state is believed.
+/// came meanwhile. Until the walls show a sweep its scans are taken as measured at once, whatever
+/// the log states: drivers of cheap scanners turn the order of the beams around and leave the times
+/// as they were. Then all that came is to be mapped again. What other scanners state is believed.
 class SweepSearch {
  public:
   explicit SweepSearch(const ScanTrackerParams& params) : params_(params) {}

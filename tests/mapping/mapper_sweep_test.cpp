@@ -62,6 +62,17 @@ TEST(MapperSweep, TimesThatTheWallsContradictAreNotBelieved) {
   EXPECT_LT(heading_error_deg(map, scans), 0.5);
 }
 
+/// Without a turn nothing is known of a scanner that spins: its driver may state the wrong order.
+TEST(MapperSweep, StatedTimesThatNoTurnConfirmsAreNotUsed) {
+  const auto scans = scans_of_spin({.num_turns = 0.0}, 11);
+  const Map map = map_of(scans);
+  EXPECT_EQ(map.sweep.verdict, SweepVerdict::kUnknown);
+  EXPECT_GT(map.sweep.stated_s, 0.0);
+  for (const KeptScan& kept : map.kept_scans) {
+    EXPECT_EQ(kept.scan->ranges_m, scans[kept.index].scan.ranges_m);
+  }
+}
+
 TEST(MapperSweep, ScansMeasuredAtOnceStayAsTheyAre) {
   auto scans =
       scans_of_spin({.turn_deg_per_s = 90.0, .sweep_share = 0.0, .states_sweep = false}, 11);

@@ -160,21 +160,23 @@ std::string sentence_on(const SweepReport& sweep) {
                                          std::abs(sweep.sweep_s),
                                          sweep.sweep_s < 0.0 ? "last" : "first",
                                          sweep.sweep_s < 0.0 ? "first" : "last");
-  const bool contradicts = sweep.stated_s != 0.0;
+  const bool is_stated = sweep.stated_s != 0.0;
   switch (sweep.verdict) {
     case SweepVerdict::kUnknown:
-      return {};
+      return is_stated ? "sweep: what the log states was not confirmed, for the robot hardly "
+                         "turned; scans are not deskewed"
+                       : "";
     case SweepVerdict::kStated:
       return fmt::format("sweep: {}, as stated; scans are deskewed", length);
     case SweepVerdict::kFound:
       return fmt::format("sweep: {}, found by the walls in {} scans of turns{}; scans are deskewed",
                          length,
                          sweep.num_turns,
-                         contradicts ? ", against what the log states" : "");
+                         is_stated ? ", against what the log states" : "");
     case SweepVerdict::kAtOnce:
       return fmt::format("sweep: the walls show no skew in {} scans of turns{}",
                          sweep.num_turns,
-                         contradicts ? ", against what the log states" : "");
+                         is_stated ? ", against what the log states" : "");
   }
   return {};
 }

@@ -81,7 +81,7 @@ Json json_from(const GyroReport& gyro) {
 
 /// Nothing where no scanner is known to sweep.
 Json json_from(const SweepReport& sweep) {
-  if (sweep.verdict == SweepVerdict::kUnknown) return {};
+  if (sweep.verdict == SweepVerdict::kUnknown && sweep.stated_s == 0.0) return {};
   return {{"verdict", to_string(sweep.verdict)},
           {"sweep_s", rounded(sweep.sweep_s)},
           {"stated_s", rounded(sweep.stated_s)},
