@@ -132,8 +132,7 @@ TEST(MapperPieces, WithoutOverlapAPieceIsReportedAsNotJoined) {
   EXPECT_EQ(track.pieces[0].num_scans, track.pieces[1].first_scan);
   EXPECT_EQ(track.pieces[1].first_scan + track.pieces[1].num_scans, log.scans.size());
   EXPECT_GE(track.pieces[1].first_scan, log.begins[1]);
-  // It begins once the robot has gone on by a metre.
-  EXPECT_LE(track.pieces[1].first_scan, log.begins[1] + 25);
+  EXPECT_LE(track.pieces[1].first_scan, log.begins[1] + 10);
   // No closure ties the two buildings to each other.
   for (const MappedClosure& closure : track.closures) {
     EXPECT_FALSE(closure.closure.is_accepted && closure.scan_i < log.begins[1] &&
