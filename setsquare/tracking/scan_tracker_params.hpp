@@ -194,7 +194,7 @@ struct ScanTrackerParams {
   std::size_t max_lost_scans = 5;
   double max_lost_m = 1.0;                   ///< ... the robot has gone this far meanwhile, ...
   double max_lost_rad = rad_from_deg(30.0);  ///< ... or turned by this, ...
-  std::size_t max_lost_at_rest = 5;  ///< ... or so many are lost, whether it moved or not.
+  std::size_t max_lost_at_rest = 5;          ///< ... or so many are lost, whether it moved or not.
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
 
