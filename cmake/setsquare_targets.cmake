@@ -50,7 +50,7 @@ function(setsquare_precompile_headers target)
 endfunction()
 
 # setsquare_set_unity(TARGET)
-# Under SETSQUARE_UNITY_BUILD compiles many of a target's sources at once: a fifth of the time.
+# Under SETSQUARE_UNITY_BUILD compiles many of a target's sources at once: a quarter of the time.
 function(setsquare_set_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SETSQUARE_UNITY_BUILD}
                                              UNITY_BUILD_BATCH_SIZE 32)
