@@ -12,27 +12,12 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/bags/mcap_records.hpp"
 
 namespace setsquare {
 namespace {
 
 static_assert(std::endian::native == std::endian::little, "byte order of MCAP");
-
-constexpr std::string_view kMcapFileMagic = "\x89MCAP0\r\n";
-
-enum class Opcode : std::uint8_t {
-  kHeader = 0x01,
-  kFooter = 0x02,
-  kSchema = 0x03,
-  kChannel = 0x04,
-  kMessage = 0x05,
-  kChunk = 0x06,
-  kMessageIndex = 0x07,
-  kChunkIndex = 0x08,
-  kStatistics = 0x0B,
-  kSummaryOffset = 0x0E,
-  kDataEnd = 0x0F,
-};
 
 template <typename Value>
 void append_value(std::string& bytes, Value value) {
@@ -44,15 +29,15 @@ void append_text(std::string& bytes, std::string_view text) {
   bytes.append(text);
 }
 
-void append_record(std::string& bytes, Opcode opcode, std::string_view content) {
-  append_value(bytes, opcode);
+void append_record(std::string& bytes, McapOp op, std::string_view content) {
+  append_value(bytes, op);
   append_value(bytes, std::uint64_t{content.size()});
   bytes.append(content);
 }
 
-std::string record(Opcode opcode, std::string_view content) {
+std::string record(McapOp op, std::string_view content) {
   std::string bytes;
-  append_record(bytes, opcode, content);
+  append_record(bytes, op, content);
   return bytes;
 }
 
@@ -114,8 +99,8 @@ McapWriter::McapWriter(Sink sink, ChunkPacking packing)
   std::string content;
   append_text(content, "ros2");
   append_text(content, "setsquare");
-  put(kMcapFileMagic);
-  put(record(Opcode::kHeader, content));
+  put(kMcapMagic);
+  put(record(McapOp::kHeader, content));
 }
 
 void McapWriter::put(std::string_view bytes) {
@@ -135,8 +120,8 @@ McapWriter::Channel McapWriter::add_channel(const std::string& topic,
     append_text(content, type);
     append_text(content, "ros2msg");
     append_text(content, definition);
-    append_record(chunk_, Opcode::kSchema, content);
-    append_record(schema_records_, Opcode::kSchema, content);
+    append_record(chunk_, McapOp::kSchema, content);
+    append_record(schema_records_, McapOp::kSchema, content);
   }
   const auto channel = static_cast<Channel>(num_messages_.size());
   num_messages_.push_back(0);
@@ -155,8 +140,8 @@ McapWriter::Channel McapWriter::add_channel(const std::string& topic,
   append_text(content, topic);
   append_text(content, "cdr");
   append_text(content, metadata);
-  append_record(chunk_, Opcode::kChannel, content);
-  append_record(channel_records_, Opcode::kChannel, content);
+  append_record(chunk_, McapOp::kChannel, content);
+  append_record(channel_records_, McapOp::kChannel, content);
   return channel;
 }
 
@@ -166,7 +151,7 @@ void McapWriter::write(Channel channel, Timestamp stamp, std::string_view cdr) {
   first_ns_ = std::min(first_ns_, time_ns);
   last_ns_ = std::max(last_ns_, time_ns);
   index_[channel].push_back({time_ns, chunk_.size()});
-  append_value(chunk_, Opcode::kMessage);
+  append_value(chunk_, McapOp::kMessage);
   append_value(chunk_, std::uint64_t{22 + cdr.size()});
   append_value(chunk_, channel);
   append_value(chunk_, static_cast<std::uint32_t>(num_messages_[channel]++));
@@ -190,7 +175,7 @@ void McapWriter::close_chunk() {
   append_value(content, std::uint64_t{packed_.size()});
   content.append(packed_);
   ChunkEntry entry{first_ns_, last_ns_, offset_, 0, {}, 0, packed_.size(), chunk_.size()};
-  put(record(Opcode::kChunk, content));
+  put(record(McapOp::kChunk, content));
   entry.num_bytes = offset_ - entry.offset;
   const std::uint64_t index_begin = offset_;
   for (const auto& [channel, messages] : index_) {
@@ -202,7 +187,7 @@ void McapWriter::close_chunk() {
       append_value(index, message.time_ns);
       append_value(index, message.offset);
     }
-    put(record(Opcode::kMessageIndex, index));
+    put(record(McapOp::kMessageIndex, index));
   }
   entry.num_index_bytes = offset_ - index_begin;
   chunks_.push_back(std::move(entry));
@@ -234,14 +219,14 @@ std::string McapWriter::statistics() const {
   append_value(content, sum == 0 ? 0 : first_ns);
   append_value(content, last_ns);
   append_per_channel(content, counts);
-  return record(Opcode::kStatistics, content);
+  return record(McapOp::kStatistics, content);
 }
 
 void McapWriter::finish() {
   close_chunk();
   std::string end;
   append_value(end, std::uint32_t{0});  // no checksum of the data section
-  put(record(Opcode::kDataEnd, end));
+  put(record(McapOp::kDataEnd, end));
   finish_summary();
 }
 
@@ -258,21 +243,21 @@ void McapWriter::finish_summary() {
     append_text(content, "zstd");
     append_value(content, chunk.num_packed_bytes);
     append_value(content, chunk.num_unpacked_bytes);
-    append_record(chunk_indexes, Opcode::kChunkIndex, content);
+    append_record(chunk_indexes, McapOp::kChunkIndex, content);
   }
-  const std::pair<Opcode, std::string> groups[] = {{Opcode::kSchema, schema_records_},
-                                                   {Opcode::kChannel, channel_records_},
-                                                   {Opcode::kStatistics, statistics()},
-                                                   {Opcode::kChunkIndex, chunk_indexes}};
+  const std::pair<McapOp, std::string> groups[] = {{McapOp::kSchema, schema_records_},
+                                                   {McapOp::kChannel, channel_records_},
+                                                   {McapOp::kStatistics, statistics()},
+                                                   {McapOp::kChunkIndex, chunk_indexes}};
   const std::uint64_t summary_begin = offset_;
   std::string offsets;
-  for (const auto& [opcode, records] : groups) {
+  for (const auto& [op, records] : groups) {
     if (records.empty()) continue;
     std::string content;
-    append_value(content, opcode);
+    append_value(content, op);
     append_value(content, offset_);
     append_value(content, std::uint64_t{records.size()});
-    append_record(offsets, Opcode::kSummaryOffset, content);
+    append_record(offsets, McapOp::kSummaryOffset, content);
     put(records);
   }
   std::string footer;
@@ -280,8 +265,8 @@ void McapWriter::finish_summary() {
   append_value(footer, offset_);
   append_value(footer, std::uint32_t{0});  // no checksum of the summary
   put(offsets);
-  put(record(Opcode::kFooter, footer));
-  put(kMcapFileMagic);
+  put(record(McapOp::kFooter, footer));
+  put(kMcapMagic);
 }
 
 }  // namespace setsquare
