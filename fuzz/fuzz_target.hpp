@@ -65,4 +65,12 @@ inline void drain(MessageSource& source) {
   require(source.problems().first.size() <= LogProblems::kMaxKept);
 }
 
+/// Reads the messages of every other topic. Law: those of the others are jumped over.
+inline void drain_every_other_topic(MessageSource& source) {
+  bool is_wanted = false;
+  source.set_wanted([&is_wanted](const MessageTopic&) { return is_wanted = !is_wanted; });
+  Message message;
+  while (source.read(message)) require(message.topic % 2 == 0);
+}
+
 }  // namespace setsquare::fuzz
