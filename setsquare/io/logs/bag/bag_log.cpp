@@ -108,18 +108,20 @@ void BagLog::take(const Message& message) {
       *reader.decoder);
 }
 
-void BagLog::dispatch(const ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
+void BagLog::dispatch(ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
   const Timestamp stamp = stamp_of(scan.stamp, message);
   Pending& pending = add_pending(RecordKind::kScan, message, stamp);
-  pending.scan = scan;
+  std::vector<double> memory = std::move(pending.scan.ranges_m);
+  pending.scan = std::move(scan);
+  scan.ranges_m = std::move(memory);  // For the topic's next message.
   pending.scan.stamp = stamp;
-  pending.scan.frame_id = ros::plain_frame_name(scan.frame_id);
+  pending.scan.frame_id = std::string(ros::plain_frame_name(pending.scan.frame_id));
 }
 
 void BagLog::dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role) {
   ros::choose_echoes(
       scan, options_.takes_strongest_echo ? ros::EchoChoice::kStrongest : ros::EchoChoice::kFirst);
-  dispatch(static_cast<const ros::LaserScan&>(scan), message, role);
+  dispatch(static_cast<ros::LaserScan&>(scan), message, role);
 }
 
 /// A cloud is too large to wait: it is sliced at once, or left out while its sensor's place may

@@ -55,7 +55,7 @@ class BagLog final : public RecordStream {
   };
 
   void take(const Message& message);
-  void dispatch(const ros::LaserScan& scan, const Message& message, TopicRole role);
+  void dispatch(ros::LaserScan& scan, const Message& message, TopicRole role);
   void dispatch(ros::MultiEchoLaserScan& scan, const Message& message, TopicRole role);
   void dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole role);
   void dispatch(const ros::Odometry& odometry, const Message& message, TopicRole role);
