@@ -45,6 +45,7 @@ class ScanTracker::ArrivedScan {
     deskewed_ = deskewed(scan_, motion, params_.surfaces);
     points_ = surface_points_from_scan(deskewed_->scan, params_.surfaces);
     surfaces_.reset();
+    votes_.reset();
   }
   /// Of the deskewed scan.
   [[nodiscard]] PlacedSweep placed_at(const Pose2& T_odom_sensor, const SweepMotion& motion) const {
@@ -63,6 +64,11 @@ class ScanTracker::ArrivedScan {
     if (!surfaces_) surfaces_ = scan_surfaces(scan(), std::move(points_), params_.image);
     return surfaces_;
   }
+  /// Of the submap's keyframes: found once, however often they are asked for.
+  [[nodiscard]] const std::vector<PlaceVote>& votes(PreparedKeyframes& keyframes) {
+    if (!votes_) votes_ = place_votes(keyframes, prepare(surfaces()), params_.votes);
+    return *votes_;
+  }
 
  private:
   [[nodiscard]] const SurfacePoints& points() const {
@@ -76,6 +82,7 @@ class ScanTracker::ArrivedScan {
   std::optional<DeskewedScan> deskewed_;
   SurfacePoints points_;  ///< Until they are part of the surfaces.
   ScanSurfacesPtr surfaces_;
+  std::optional<std::vector<PlaceVote>> votes_;
 };
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
@@ -116,9 +123,8 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.has_odometry = has_odometry;
   tracked.is_long_step = long_steps_.are_usual();
   count_lost(tracked.status, situation);
-  tracked.is_restart = is_restart(situation, tracked.T_odom_body);
+  tracked.is_restart = is_restart(situation);
   if (tracked.is_restart) start_anew();
-  if (num_lost_ == 0) T_odom_body_placed_ = tracked.T_odom_body;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
   sweep_motion_ = arrived.motion();
@@ -291,7 +297,7 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
   if (long_steps_.are_expected()) {
-    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
+    const std::vector<PlaceVote>& votes = scan.votes(prepared_);
     const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
     if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
     if (long_steps_.are_usual() && !has_odometry) {
@@ -317,8 +323,7 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
       submap_images_, points, predicted, params_.trust_in_last_motion, marks_};
   if (long_steps_.are_usual()) {
     // Among key frames a pause says nothing of how far the robot went.
-    const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
-    const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+    const auto agreed = agreed_place(scan.votes(prepared_), std::nullopt, params_.votes);
     if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, std::nullopt);
   }
   const auto found = recover(
@@ -335,8 +340,7 @@ bool ScanTracker::is_within_reach(const SubmapFit& found, const Pose2& predicted
 }
 
 bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
-  const auto votes = place_votes(prepared_, prepare(scan.surfaces()), params_.votes);
-  const auto agreed = agreed_place(votes, std::nullopt, params_.votes);
+  const auto agreed = agreed_place(scan.votes(prepared_), std::nullopt, params_.votes);
   return agreed && agreed->votes >= params_.votes.min_votes_for_jump &&
          is_same_place(agreed->T_odom_sensor, found.T_odom_sensor, params_.votes);
 }
@@ -424,15 +428,10 @@ void ScanTracker::count_lost(TrackStatus status, Situation situation) {
   num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
 }
 
-bool ScanTracker::is_restart(Situation situation, const Pose2& T_odom_body) const {
-  if (!is_evidence(situation)) return false;
-  if (num_lost_ == 0) return false;
+bool ScanTracker::is_restart(Situation situation) const {
+  if (!is_evidence(situation) || num_lost_ == 0) return false;
   if (situation == Situation::kAnywhere || long_steps_.are_usual()) return true;
-  if (num_lost_ < params_.max_lost_scans) return false;
-  const Pose2 moved = T_odom_body_placed_.inverse() * T_odom_body;
-  return num_lost_ >= params_.max_lost_at_rest ||
-         std::hypot(moved.x_m, moved.y_m) > params_.max_lost_m ||
-         std::abs(moved.theta_rad) > params_.max_lost_rad;
+  return num_lost_ >= params_.max_lost_scans;
 }
 
 /// The old keyframes' poses no longer mean anything to the coming scans.

@@ -143,8 +143,8 @@ class ScanTracker {
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
   /// the submap.
   void count_lost(TrackStatus status, Situation situation);
-  /// Whether the submap restarts with the scan that was counted last, at `T_odom_body`.
-  [[nodiscard]] bool is_restart(Situation situation, const Pose2& T_odom_body) const;
+  /// Whether the submap restarts with the scan that was counted last.
+  [[nodiscard]] bool is_restart(Situation situation) const;
   void start_anew();
   /// The step to the scan that was placed last, for what comes.
   void add_step(const TrackedPose& tracked, Situation situation);
@@ -176,7 +176,6 @@ class ScanTracker {
   std::optional<Scan> deskewed_scan_;
   SweepMotion sweep_motion_;
   std::size_t num_scans_ = 0;
-  Pose2 T_odom_body_placed_;  ///< At the last scan that was not lost, of those that see enough.
   std::size_t num_lost_ = 0;  ///< In a row, of the scans that see enough.
 };
 

@@ -116,9 +116,6 @@ void ScanTrackerParams::validate() const {
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");
   require_at_least_one(max_lost_scans, "max_lost_scans");
-  require_positive(max_lost_m, "max_lost_m");
-  require_positive(max_lost_rad, "max_lost_rad");
-  require_at_least_one(max_lost_at_rest, "max_lost_at_rest");
   require_at_least_one(min_points, "min_points");
 }
 

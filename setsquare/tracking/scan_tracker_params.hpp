@@ -190,11 +190,8 @@ struct ScanTrackerParams {
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
-  /// After this many lost scans in a row the submap restarts at the predicted pose, once ...
+  /// After this many lost scans in a row the submap restarts at the predicted pose.
   std::size_t max_lost_scans = 5;
-  double max_lost_m = 1.0;                   ///< ... the robot has gone this far meanwhile, ...
-  double max_lost_rad = rad_from_deg(30.0);  ///< ... or turned by this, ...
-  std::size_t max_lost_at_rest = 5;          ///< ... or so many are lost, whether it moved or not.
   /// Scans with fewer returns are lost: not matched, not kept, not counted in max_lost_scans.
   std::size_t min_points = 10;
 
