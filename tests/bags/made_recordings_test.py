@@ -6,24 +6,20 @@ One drive, written as ROS 1 bags, MCAP files and a ROS 2 folder, all packed in e
 convert` must give the scans, stamps, odometry and mounting that went in, and the same of each.
 """
 import os
-import subprocess
 import sys
-import tempfile
-import unittest
 
+import command_test_case
 import comparison
 import independent_readers
 import made_recording
 
 
-class MadeRecordingsTest(unittest.TestCase):
-    """Class attributes `setsquare`, `readers` and `folder` are set by main()."""
+class MadeRecordingsTest(command_test_case.CommandTestCase):
+    """Class attribute `readers` is set by prepare()."""
 
     def convert(self, path):
-        output = os.path.join(self.folder, "out.jsonl")
-        command = [self.setsquare, "convert", "--sensor", "all", path, output]
-        ended = subprocess.run(command, capture_output=True, text=True, check=False)
-        self.assertEqual(ended.returncode, 0, ended.stderr)
+        output = self.path("out.jsonl")
+        self.run_setsquare("convert", "--sensor", "all", path, output)
         records = comparison.records_in(output)
         os.remove(output)
         return records
@@ -42,7 +38,7 @@ class MadeRecordingsTest(unittest.TestCase):
     def test_ros1_bags(self):
         for compression in ("none", "bz2", "lz4"):
             with self.subTest(compression=compression):
-                path = os.path.join(self.folder, f"{compression}.bag")
+                path = self.path(f"{compression}.bag")
                 self.readers.write_rosbag1(compression, path, made_recording.lines())
                 self.check(path)
 
@@ -50,27 +46,19 @@ class MadeRecordingsTest(unittest.TestCase):
         for encoding in ("ros1", "cdr"):
             for compression in ("none", "lz4", "zstd"):
                 with self.subTest(encoding=encoding, compression=compression):
-                    path = os.path.join(self.folder, f"{encoding}_{compression}.mcap")
+                    path = self.path(f"{encoding}_{compression}.mcap")
                     self.readers.write_mcap(encoding, compression, path, made_recording.lines())
                     self.check(path)
 
     def test_a_folder_of_several_sqlite_files(self):
-        path = os.path.join(self.folder, "drive")
+        path = self.path("drive")
         self.readers.write_sqlite_folder(path, made_recording.lines())
         self.check(path)
 
 
-def main():
-    MadeRecordingsTest.setsquare = os.path.abspath(sys.argv[1])
-    try:
-        MadeRecordingsTest.readers = independent_readers.Readers(sys.argv[2])
-        independent_readers.python_of_ros()
-    except independent_readers.Missing as missing:
-        print(f"skipped: {missing}")
-        sys.exit(independent_readers.SKIPPED)
-    with tempfile.TemporaryDirectory() as folder:
-        MadeRecordingsTest.folder = folder
-        unittest.main(argv=sys.argv[:1], verbosity=2)
+def prepare(test_case):
+    test_case.readers = independent_readers.Readers(sys.argv[2])
+    independent_readers.python_of_ros()
 
 
-main()
+command_test_case.run(MadeRecordingsTest, sys.argv[1], prepare)

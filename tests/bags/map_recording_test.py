@@ -7,12 +7,9 @@ viewers do: schemas parse, every message decodes, and scans, frames, path, grid 
 those of the map's own files.
 """
 import json
-import os
-import subprocess
 import sys
-import tempfile
-import unittest
 
+import command_test_case
 import independent_readers
 
 TYPES = {
@@ -26,8 +23,8 @@ TYPES = {
 POSITION_TOLERANCE_M = 1e-9
 
 
-class MapRecordingTest(unittest.TestCase):
-    """Class attributes `setsquare`, `readers` and `folder` are set by main()."""
+class MapRecordingTest(command_test_case.CommandTestCase):
+    """Class attribute `readers` is set by prepare()."""
 
     @classmethod
     def setUpClass(cls):
@@ -37,19 +34,7 @@ class MapRecordingTest(unittest.TestCase):
         cls.run_setsquare("map", log, "-o", cls.path("map"))
         cls.run_setsquare("convert", log, "--map", cls.path("map"), cls.path("map.mcap"))
         cls.topics = {line["topic"]: line for line in cls.readers.topics_of(cls.path("map.mcap"))}
-        with open(cls.path("map/trajectory.tum"), encoding="ascii") as trajectory:
-            cls.poses = [[float(word) for word in line.split()] for line in trajectory]
-
-    @classmethod
-    def path(cls, name):
-        return os.path.join(cls.folder, name)
-
-    @classmethod
-    def run_setsquare(cls, *arguments):
-        ended = subprocess.run([cls.setsquare, *arguments], capture_output=True, text=True,
-                               check=False)
-        if ended.returncode != 0:
-            raise AssertionError(f"{arguments}: {ended.stderr}")
+        cls.poses = command_test_case.poses_in(cls.path("map/trajectory.tum"))
 
     def last(self, topic):
         return self.topics[topic]["last"]
@@ -100,16 +85,8 @@ class MapRecordingTest(unittest.TestCase):
         self.assertEqual(points, 2 * num_closures)
 
 
-def main():
-    MapRecordingTest.setsquare = os.path.abspath(sys.argv[1])
-    try:
-        MapRecordingTest.readers = independent_readers.Readers(sys.argv[2])
-    except independent_readers.Missing as missing:
-        print(f"skipped: {missing}")
-        sys.exit(independent_readers.SKIPPED)
-    with tempfile.TemporaryDirectory() as folder:
-        MapRecordingTest.folder = folder
-        unittest.main(argv=sys.argv[:1], verbosity=2)
+def prepare(test_case):
+    test_case.readers = independent_readers.Readers(sys.argv[2])
 
 
-main()
+command_test_case.run(MapRecordingTest, sys.argv[1], prepare)

@@ -8,20 +8,18 @@ trajectory but for what a quaternion rounds. The environment's SETSQUARE_DATA_DI
 folder than the argument. Skips where it is absent.
 """
 import os
-import subprocess
 import sys
-import tempfile
-import unittest
 
 import carmen_lines
+import command_test_case
 import independent_readers
 
 NUM_SCANS = 500
 TRAJECTORY_DIGIT = 1e-6  # of the numbers in a trajectory
 
 
-class OneLogTest(unittest.TestCase):
-    """Class attributes `setsquare`, `readers`, `folder` and `log` are set by main()."""
+class OneLogTest(command_test_case.CommandTestCase):
+    """Class attributes `readers` and `log` are set by prepare()."""
 
     @classmethod
     def setUpClass(cls):
@@ -30,23 +28,11 @@ class OneLogTest(unittest.TestCase):
             cls.lines = carmen_lines.lines_in(log)
 
     @classmethod
-    def path(cls, name):
-        return os.path.join(cls.folder, name)
-
-    @classmethod
-    def run_setsquare(cls, *arguments):
-        ended = subprocess.run([cls.setsquare, *arguments], capture_output=True, text=True,
-                               check=False)
-        if ended.returncode != 0:
-            raise AssertionError(f"{arguments}: {ended.stderr}")
-
-    @classmethod
     def map_of(cls, log):
         cls.run_setsquare("map", log, "-o", cls.path("out"))
         with open(cls.path("out/map.pgm"), "rb") as image:
             pixels = image.read()
-        with open(cls.path("out/trajectory.tum"), encoding="ascii") as trajectory:
-            return pixels, [[float(word) for word in line.split()] for line in trajectory]
+        return pixels, command_test_case.poses_in(cls.path("out/trajectory.tum"))
 
     def check_map(self, log):
         image, poses = self.map_of(log)
@@ -73,25 +59,17 @@ class OneLogTest(unittest.TestCase):
         self.check_map(self.path("log"))
 
 
-def main():
-    setsquare, node_folder, data = sys.argv[1:4]
+def prepare(test_case):
+    node_folder, data = sys.argv[2:4]
     num_scans = int(sys.argv[4]) if len(sys.argv) > 4 else NUM_SCANS
     log = os.path.join(os.environ.get("SETSQUARE_DATA_DIR", data), "intel", "intel.clf")
-    OneLogTest.setsquare = os.path.abspath(setsquare)
-    try:
-        if not os.path.isfile(log):
-            raise independent_readers.Missing(f"no file {log} (SETSQUARE_DATA_DIR)")
-        OneLogTest.readers = independent_readers.Readers(node_folder)
-        independent_readers.python_of_ros()
-    except independent_readers.Missing as missing:
-        print(f"skipped: {missing}")
-        sys.exit(independent_readers.SKIPPED)
-    with tempfile.TemporaryDirectory() as folder:
-        OneLogTest.folder = folder
-        OneLogTest.log = os.path.join(folder, "log.clf")
-        with open(OneLogTest.log, "w", encoding="ascii") as beginning:
-            beginning.writelines(carmen_lines.beginning_of(log, num_scans))
-        unittest.main(argv=sys.argv[:1], verbosity=2)
+    if not os.path.isfile(log):
+        raise independent_readers.Missing(f"no file {log} (SETSQUARE_DATA_DIR)")
+    test_case.readers = independent_readers.Readers(node_folder)
+    independent_readers.python_of_ros()
+    test_case.log = test_case.path("log.clf")
+    with open(test_case.log, "w", encoding="ascii") as beginning:
+        beginning.writelines(carmen_lines.beginning_of(log, num_scans))
 
 
-main()
+command_test_case.run(OneLogTest, sys.argv[1], prepare)

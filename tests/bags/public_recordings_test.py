@@ -9,9 +9,8 @@ another folder than the argument. Skips where it is absent.
 import os
 import subprocess
 import sys
-import tempfile
-import unittest
 
+import command_test_case
 import comparison
 import independent_readers
 
@@ -24,11 +23,11 @@ UNREADABLE = ("truncated-no-laser.bag",)
 SUFFIXES = (".bag", ".db3", ".mcap", ".mcap.zstd")
 
 
-class PublicRecordingsTest(unittest.TestCase):
-    """Class attributes `setsquare`, `readers`, `bags` and `folder` are set by main()."""
+class PublicRecordingsTest(command_test_case.CommandTestCase):
+    """Class attributes `readers` and `bags` are set by prepare()."""
 
     def convert(self, path):
-        output = os.path.join(self.folder, "out.jsonl")
+        output = self.path("out.jsonl")
         command = [self.setsquare, "convert", "--sensor", "all", path, output]
         ended = subprocess.run(command, capture_output=True, text=True, check=False)
         if ended.returncode != 0:
@@ -60,20 +59,11 @@ class PublicRecordingsTest(unittest.TestCase):
                     self.assertGreater(comparison.compare_odometry(records, lines), 0)
 
 
-def main():
-    PublicRecordingsTest.setsquare, node_folder, bags = (os.path.abspath(path) for path in sys.argv[1:])
-    bags = os.environ.get("SETSQUARE_BAGS_DIR", bags)
-    try:
-        if not os.path.isdir(bags):
-            raise independent_readers.Missing(f"no folder {bags} (SETSQUARE_BAGS_DIR)")
-        PublicRecordingsTest.readers = independent_readers.Readers(node_folder)
-    except independent_readers.Missing as missing:
-        print(f"skipped: {missing}")
-        sys.exit(independent_readers.SKIPPED)
-    PublicRecordingsTest.bags = bags
-    with tempfile.TemporaryDirectory() as folder:
-        PublicRecordingsTest.folder = folder
-        unittest.main(argv=sys.argv[:1], verbosity=2)
+def prepare(test_case):
+    test_case.bags = os.environ.get("SETSQUARE_BAGS_DIR", os.path.abspath(sys.argv[3]))
+    if not os.path.isdir(test_case.bags):
+        raise independent_readers.Missing(f"no folder {test_case.bags} (SETSQUARE_BAGS_DIR)")
+    test_case.readers = independent_readers.Readers(sys.argv[2])
 
 
-main()
+command_test_case.run(PublicRecordingsTest, sys.argv[1], prepare)
