@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/pairs.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
 #include "setsquare/sim/pairs/pair_geometry.hpp"
@@ -14,8 +13,8 @@ namespace {
 
 /// Whether the information binds all three of x, y and theta (m and rad taken as equal units).
 bool has_full_rank(const Eigen::Matrix3d& information) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(information, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues()(0) > 1e-9 * solver.eigenvalues()(2);
+  const Eigen::Vector3d eigenvalues = symmetric_eigenvalues(information);
+  return eigenvalues(0) > 1e-9 * eigenvalues(2);
 }
 
 PairTruth truth_of_pair(const SimulatedRun& run,

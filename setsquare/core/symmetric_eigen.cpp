@@ -5,22 +5,38 @@
 #include <Eigen/Eigenvalues>
 
 namespace setsquare {
+namespace {
 
-using Solver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>;
+template <typename Matrix>
+using Solver = Eigen::SelfAdjointEigenSolver<Matrix>;
 
-SymmetricEigen2 symmetric_eigen(const Eigen::Matrix2d& matrix) {
-  const Solver solver(matrix);
+template <typename Matrix>
+SymmetricEigen<Matrix::RowsAtCompileTime> solution(const Solver<Matrix>& solver) {
   return {solver.eigenvalues(), solver.eigenvectors()};
 }
 
-SymmetricEigen2 symmetric_eigen_direct(const Eigen::Matrix2d& matrix) {
-  Solver solver;
+}  // namespace
+
+SymmetricEigen<2> symmetric_eigen(const Eigen::Matrix2d& matrix) {
+  return solution(Solver<Eigen::Matrix2d>(matrix));
+}
+
+SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& matrix) {
+  return solution(Solver<Eigen::Matrix3d>(matrix));
+}
+
+SymmetricEigen<2> symmetric_eigen_direct(const Eigen::Matrix2d& matrix) {
+  Solver<Eigen::Matrix2d> solver;
   solver.computeDirect(matrix);
-  return {solver.eigenvalues(), solver.eigenvectors()};
+  return solution(solver);
 }
 
 Eigen::Vector2d symmetric_eigenvalues(const Eigen::Matrix2d& matrix) {
-  return Solver(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+  return Solver<Eigen::Matrix2d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
+}
+
+Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix) {
+  return Solver<Eigen::Matrix3d>(matrix, Eigen::EigenvaluesOnly).eigenvalues();
 }
 
 }  // namespace setsquare

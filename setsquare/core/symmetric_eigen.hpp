@@ -9,18 +9,21 @@
 namespace setsquare {
 
 /// Eigenvalues in ascending order, and their unit eigenvectors as columns.
-struct SymmetricEigen2 {
-  Eigen::Vector2d values;
-  Eigen::Matrix2d vectors;
+template <int kSize>
+struct SymmetricEigen {
+  Eigen::Matrix<double, kSize, 1> values;
+  Eigen::Matrix<double, kSize, kSize> vectors;
 };
 
 /// By iteration: exact for matrices of any scale. Reads the lower triangle.
-[[nodiscard]] SymmetricEigen2 symmetric_eigen(const Eigen::Matrix2d& matrix);
+[[nodiscard]] SymmetricEigen<2> symmetric_eigen(const Eigen::Matrix2d& matrix);
+[[nodiscard]] SymmetricEigen<3> symmetric_eigen(const Eigen::Matrix3d& matrix);
 
 /// In closed form: a third of the time, and less exact where the eigenvalues are alike.
-[[nodiscard]] SymmetricEigen2 symmetric_eigen_direct(const Eigen::Matrix2d& matrix);
+[[nodiscard]] SymmetricEigen<2> symmetric_eigen_direct(const Eigen::Matrix2d& matrix);
 
-/// The eigenvalues alone, ascending.
+/// The eigenvalues alone, ascending; by iteration.
 [[nodiscard]] Eigen::Vector2d symmetric_eigenvalues(const Eigen::Matrix2d& matrix);
+[[nodiscard]] Eigen::Vector3d symmetric_eigenvalues(const Eigen::Matrix3d& matrix);
 
 }  // namespace setsquare

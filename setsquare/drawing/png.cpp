@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 
 namespace setsquare {
 namespace {
@@ -52,10 +51,6 @@ std::string png_from_image(const Image& image) {
   }
   file.resize(num_bytes);
   return file;
-}
-
-void save_png(const Image& image, const std::string& path) {
-  save_file(path, png_from_image(image));
 }
 
 }  // namespace setsquare

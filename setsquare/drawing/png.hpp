@@ -12,7 +12,4 @@ namespace setsquare {
 /// The same image gives the same bytes.
 [[nodiscard]] std::string png_from_image(const Image& image);
 
-/// Saves the image as a PNG file under a temporary name, then renames it. Throws FileError.
-void save_png(const Image& image, const std::string& path);
-
 }  // namespace setsquare

@@ -24,7 +24,7 @@ constexpr double kDoubtfulPivot = 1e-12;
 /// W^+ and the rank of W; W symmetric and positive semi-definite.
 struct PseudoInverse {
   explicit PseudoInverse(const Eigen::Matrix2d& W) {
-    const SymmetricEigen2 eigen = symmetric_eigen_direct(W);
+    const SymmetricEigen<2> eigen = symmetric_eigen_direct(W);
     const double largest = eigen.values[1];
     for (int k = 0; k < 2; ++k) {
       const double eigenvalue = eigen.values[k];

@@ -4,7 +4,7 @@
 #pragma once
 
 #include <cstddef>
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <vector>
 
 namespace setsquare {

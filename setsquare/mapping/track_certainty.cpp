@@ -119,7 +119,7 @@ void add_length(const Map& track,
     stretch.length_sigma_m = std::sqrt(std::max(0.0, along.dot(covariance_m2 * along)));
     return;
   }
-  const SymmetricEigen2 eigen = symmetric_eigen(covariance_m2);
+  const SymmetricEigen<2> eigen = symmetric_eigen(covariance_m2);
   stretch.length_sigma_m = std::sqrt(std::max(0.0, eigen.values.y()));
   stretch.direction_rad = std::atan2(eigen.vectors(1, 1), eigen.vectors(0, 1));
 }

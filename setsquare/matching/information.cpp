@@ -2,24 +2,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/matching/information.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+
+#include "setsquare/core/symmetric_eigen.hpp"
 
 namespace setsquare {
 
 Eigen::Matrix3d match_information(const MatchNormal& normal) {
   // H = B B^T by its eigenvectors; in the whitened coordinates the sandwich H S^-1 H is
   // B (B^-1 S B^-T)^-1 B^T, which stays finite where H is singular.
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(normal.hessian);
-  const Eigen::Vector3d root = solver.eigenvalues().cwiseMax(0.0).cwiseSqrt();
+  const SymmetricEigen<3> eigen = symmetric_eigen(normal.hessian);
+  const Eigen::Vector3d root = eigen.values.cwiseMax(0.0).cwiseSqrt();
   constexpr double kTiny = 1e-9;  // Of rounding; decides nothing.
   // Variance times length of a piece of wall: no scanner on a real wall shows less. It keeps the
   // information finite on simulated walls without noise; measured scatter is far above it.
   constexpr double kLeastScatter_m3 = 1e-5;
   const Eigen::Vector3d inverse_root =
       (root.array() > kTiny).select(root.cwiseMax(kTiny).cwiseInverse(), 0.0);
-  const Eigen::Matrix3d B = solver.eigenvectors() * root.asDiagonal();
-  const Eigen::Matrix3d B_inverse_transpose = solver.eigenvectors() * inverse_root.asDiagonal();
+  const Eigen::Matrix3d B = eigen.vectors * root.asDiagonal();
+  const Eigen::Matrix3d B_inverse_transpose = eigen.vectors * inverse_root.asDiagonal();
   const Eigen::Matrix3d whitened =
       B_inverse_transpose.transpose() * normal.scatter * B_inverse_transpose +
       kLeastScatter_m3 * Eigen::Matrix3d::Identity();

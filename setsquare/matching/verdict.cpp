@@ -58,7 +58,7 @@ WallConstraint wall_constraint(const Eigen::Matrix3d& hessian) {
       hessian.topLeftCorner<2, 2>() + kTiny_m * Eigen::Matrix2d::Identity();
   const Eigen::Vector2d coupling = hessian.topRightCorner<2, 1>();
   const double turning_m3 = hessian(2, 2) - coupling.dot(held.inverse() * coupling);
-  const SymmetricEigen2 held_by_walls = symmetric_eigen(translation);
+  const SymmetricEigen<2> held_by_walls = symmetric_eigen(translation);
   const Eigen::Vector2d axis = held_by_walls.vectors.col(0);
   const double direction_rad = std::atan2(axis.y(), axis.x());
   return {.all_m = held_by_walls.values.sum(),

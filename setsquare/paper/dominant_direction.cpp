@@ -68,16 +68,4 @@ DominantDirection dominant_direction(const PointSet& points,
   return largest(grid, direction_curve(points, grid, params.bins));
 }
 
-std::vector<double> square_direction_curve(const PointSet& points,
-                                           const DominantDirectionParams& params) {
-  const auto num_directions = static_cast<std::size_t>(std::lround(0.5 * kPi / params.step_rad));
-  const std::vector<double> moments =
-      direction_curve(points, {0.0, params.step_rad, 2 * num_directions}, params.bins);
-  std::vector<double> sums(num_directions);
-  for (std::size_t j = 0; j < num_directions; ++j) {
-    sums[j] = moments[j] + moments[j + num_directions];
-  }
-  return sums;
-}
-
 }  // namespace setsquare

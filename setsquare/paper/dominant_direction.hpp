@@ -37,11 +37,4 @@ struct DominantDirection {
 [[nodiscard]] DominantDirection dominant_direction(const PointSet& points,
                                                    const DominantDirectionParams& params = {});
 
-/// S(theta_j) = M(theta_j) + M(theta_j + 90 deg) for theta_j = j * step in [0, pi/2), with
-/// neighbour differences for eq. (7): both families of walls vote, in a quarter of Algorithm 2's
-/// directions. Not the paper's. square_directions measures the same quantity better and faster;
-/// this curve is for pictures and for scans of scattered points. The step divides a right angle.
-[[nodiscard]] std::vector<double> square_direction_curve(
-    const PointSet& points, const DominantDirectionParams& params = {});
-
 }  // namespace setsquare

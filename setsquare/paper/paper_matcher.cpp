@@ -4,12 +4,19 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/paper/thinning.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
 
 namespace setsquare {
+namespace {
+
+/// The paper weighs neither free space nor overlap.
+constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
 void PaperParams::validate() const {
   if (!(min_spacing_m > 0.0) || !std::isfinite(min_spacing_m)) {
     throw ParameterError("min_spacing_m", "must be positive");
@@ -39,6 +46,7 @@ MatchResult match_paper(const PreparedPaperScan& reference,
                         const PaperParams& params,
                         RelativePoseTrace* trace) {
   MatchResult result;
+  result.agreement = result.contradiction = result.overlap = kNotMeasured;
   const std::size_t num_points = std::min(reference.points.size(), current.points.size());
   if (num_points < static_cast<std::size_t>(params.min_num_points)) return result;
   result.status = MatchStatus::kRejected;

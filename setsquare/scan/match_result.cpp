@@ -3,7 +3,8 @@
 #include "setsquare/scan/match_result.hpp"
 
 #include <cmath>
-#include <Eigen/Eigenvalues>
+
+#include "setsquare/core/symmetric_eigen.hpp"
 
 namespace setsquare {
 
@@ -32,10 +33,9 @@ std::optional<PoseSigmas> marginal_sigmas(const MatchResult& result) {
   constexpr double kSingular = 1e-9;
   const Eigen::Vector3d scale = diagonal.cwiseSqrt().cwiseInverse();
   const Eigen::Matrix3d scaled = scale.asDiagonal() * result.information * scale.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(scaled);
-  if (!(solver.eigenvalues()(0) > kSingular)) return std::nullopt;
-  const Eigen::Vector3d inverse_diagonal =
-      solver.eigenvectors().cwiseAbs2() * solver.eigenvalues().cwiseInverse();
+  const SymmetricEigen<3> eigen = symmetric_eigen(scaled);
+  if (!(eigen.values(0) > kSingular)) return std::nullopt;
+  const Eigen::Vector3d inverse_diagonal = eigen.vectors.cwiseAbs2() * eigen.values.cwiseInverse();
   const Eigen::Vector3d sigmas = inverse_diagonal.cwiseSqrt().cwiseProduct(scale);
   return PoseSigmas{sigmas.x(), sigmas.y(), sigmas.z()};
 }

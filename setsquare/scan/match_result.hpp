@@ -32,8 +32,9 @@ struct RunnerUp {
   double score = 0.0;
 };
 
-/// The answer of a match, with its evidence. Poses are those of the sensors at the middles of their
-/// sweeps: p_reference = T_reference_current * p_current.
+/// The answer of a match, with its evidence: NaN where the preset does not measure it. Poses are
+/// those of the sensors at the middles of their sweeps: p_reference = T_reference_current *
+/// p_current.
 struct MatchResult {
   MatchStatus status = MatchStatus::kTooFewPoints;
   /// The best proposal whatever the status; nothing where there is none.

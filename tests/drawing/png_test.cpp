@@ -57,14 +57,4 @@ TEST(Png, SameImageSameBytes) {
   EXPECT_EQ(png_from_image(image), png_from_image(Image(image)));
 }
 
-TEST(Png, SavingIntoNoFolderNamesThePath) {
-  const std::string path = ::testing::TempDir() + "no_such_folder/map.png";
-  try {
-    save_png(Image(1, 1, color(0)), path);
-    FAIL() << "no exception";
-  } catch (const FileError& error) {
-    EXPECT_NE(std::string(error.what()).find(path), std::string::npos) << error.what();
-  }
-}
-
 }  // namespace setsquare::png_test

@@ -43,7 +43,7 @@ Eigen::Matrix3d turned(const Eigen::Matrix3d& information, double from_rad, doub
 /// What the translation's information binds.
 struct BoundAxes {
   explicit BoundAxes(const Eigen::Matrix2d& information) {
-    const SymmetricEigen2 eigen = symmetric_eigen(information);
+    const SymmetricEigen<2> eigen = symmetric_eigen(information);
     is_one_open = eigen.values[0] < 1e-6 * eigen.values[1];
     strong = eigen.vectors.col(1);
     least = eigen.values[is_one_open ? 1 : 0];

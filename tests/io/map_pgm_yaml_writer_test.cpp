@@ -3,8 +3,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <limits>
 #include <map>
@@ -17,11 +15,8 @@
 #include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "tests/support/seed.hpp"
-#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare::map_pgm_yaml_writer_test {
-
-namespace fs = std::filesystem;
 
 /// What a robot's navigation makes of a map: -1 unknown, 0 free, 100 occupied, row by row from the
 /// lowest.
@@ -186,28 +181,6 @@ TEST(PgmImage, BytesGiveTheImageBack) {
   }
   EXPECT_THROW(static_cast<void>(pgm_from_image({.width = 1, .height = 1, .values = {256}})),
                ParameterError);
-}
-
-class MapOnDisk : public ::testing::Test {
- protected:
-  const testing::TemporaryFolder temporary_;
-  const fs::path& folder_ = temporary_.path();
-};
-
-TEST_F(MapOnDisk, HoldsBothFilesAndNothingElse) {
-  const std::string yaml_path = (folder_ / "ground_floor.yaml").string();
-  write_map_pgm_yaml(yaml_path, small_grid());
-  EXPECT_EQ(read_map_pgm_yaml(yaml_path).state({1, 1}), CellState::kFree);
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2);
-}
-
-TEST_F(MapOnDisk, OldFilesStayWhereOneOfTheNewCannotBeWritten) {
-  const fs::path pgm = folder_ / "map.pgm";
-  std::ofstream(pgm) << "old";
-  fs::create_directory(folder_ / "map.yaml");  // no file can take its place
-  EXPECT_THROW(write_map_pgm_yaml((folder_ / "map.yaml").string(), small_grid()), FileError);
-  EXPECT_EQ(testing::content_of(pgm), "old");
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 2) << "no temporary file is left";
 }
 
 }  // namespace setsquare::map_pgm_yaml_writer_test

@@ -101,21 +101,6 @@ TEST(DirectionCurve, BoundsTheMomentWithOmegaSquared) {
   }
 }
 
-TEST(SquareDirectionCurve, SumsTheMomentsOfBothFamilies) {
-  const PointSet points = room_points({2.0, 2.5, 0.35});
-  const DominantDirectionParams params;
-  const std::vector<double> curve = square_direction_curve(points, params);
-  ASSERT_EQ(curve.size(), 900U);
-  for (std::size_t j = 0; j < curve.size(); j += 37) {
-    const double theta_rad = static_cast<double>(j) * params.step_rad;
-    double expected = 0.0;
-    for (const double turned_rad : {theta_rad, theta_rad + 0.5 * kPi}) {
-      expected += direction_moment(projected_profile(points, turned_rad).counts, params.moment);
-    }
-    EXPECT_EQ(curve[j], expected);
-  }
-}
-
 TEST(DominantDirection, OfNoPointsOrOfPointsOutOfRangeHasNoMoment) {
   EXPECT_EQ(dominant_direction(PointSet{}).moment, 0.0);
   PointSet far;

@@ -100,6 +100,15 @@ TEST(PaperMatcher, SelfMatchIsIdentity) {
   EXPECT_DOUBLE_EQ(result.score, 1.0);
 }
 
+TEST(PaperMatcher, LeavesTheEvidenceThatItDoesNotMeasureOpen) {
+  const Scan scan = scan_of_walls(l_shaped_room(), {2.0, 2.5, 0.1}, kFullTurn, 0.003, 1);
+  for (const MatchResult& result : {match_paper(scan, scan), match_paper(scan, Scan{})}) {
+    EXPECT_TRUE(std::isnan(result.agreement));
+    EXPECT_TRUE(std::isnan(result.contradiction));
+    EXPECT_TRUE(std::isnan(result.overlap));
+  }
+}
+
 TEST(PaperMatcher, BothReadingsOfEquationSevenServe) {
   PaperParams params;
   params.moment = DirectionMoment::kSquaredFrequency;

@@ -55,7 +55,7 @@ PairGeometry plain_pair_geometry(const VisibleSurface& reference, const VisibleS
   const Eigen::Matrix3d covariance = information.inverse();
   geometry.wall_turning_m3 = 1.0 / covariance(2, 2);
   const Eigen::Matrix2d translation = covariance.topLeftCorner<2, 2>().inverse();
-  const SymmetricEigen2 axes = symmetric_eigen(translation);
+  const SymmetricEigen<2> axes = symmetric_eigen(translation);
   geometry.wall_across_m = axes.values(0);
   geometry.worst_direction_rad = std::atan2(axes.vectors(1, 0), axes.vectors(0, 0));
   return geometry;

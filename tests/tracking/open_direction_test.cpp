@@ -23,7 +23,7 @@ TEST(OpenDirection, EqualsTheEigensolver) {
       const Eigen::Vector2d normal(std::cos(angle_rad), std::sin(angle_rad));
       information += uniform(generator, 0.0, 50.0) * normal * normal.transpose();
     }
-    const SymmetricEigen2 twin = symmetric_eigen(information);
+    const SymmetricEigen<2> twin = symmetric_eigen(information);
     const OpenDirection open = open_direction(information);
     EXPECT_NEAR(open.effective_points, twin.values(0), 1e-9);
     EXPECT_NEAR(std::abs(open.direction.dot(twin.vectors.col(0))), 1.0, 1e-6);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iostream>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -113,12 +114,14 @@ void print_text(const MatchResult& result, const Scan& reference, const Scan& cu
   if (!result.T_reference_current) return;
   print_pose("pose", *result.T_reference_current);
   print_precision(result);
-  print_line("evidence",
-             "agreement {:.2f}   contradiction {:.3f}   overlap {:.2f}   score {:.3f}",
-             result.agreement,
-             result.contradiction,
-             result.overlap,
-             result.score);
+  if (!std::isnan(result.agreement)) {  // the paper's preset does not measure it
+    print_line("evidence",
+               "agreement {:.2f}   contradiction {:.3f}   overlap {:.2f}",
+               result.agreement,
+               result.contradiction,
+               result.overlap);
+  }
+  print_line("score", "{:.3f}", result.score);
   print_line("zncc", "along x' {:.2f}   along y' {:.2f}", result.zncc_x, result.zncc_y);
   if (!result.runner_up) return;
   print_pose("runner-up", result.runner_up->T_reference_current);

@@ -3,13 +3,11 @@
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/bytes/input_buffer.hpp"
 
@@ -99,15 +97,6 @@ MapFiles map_files_from_grid(const OccupancyGrid& grid, const std::string& image
     }
   }
   return {pgm_from_image(image), text_from_map_yaml(map)};
-}
-
-void write_map_pgm_yaml(const std::string& yaml_path, const OccupancyGrid& grid) {
-  const std::filesystem::path image_path =
-      std::filesystem::path(yaml_path).replace_extension(".pgm");
-  const MapFiles files = map_files_from_grid(grid, image_path.filename().string());
-  const std::array<FileBytes, 2> both = {
-      {{image_path.string(), files.pgm}, {yaml_path, files.yaml}}};
-  save_files(both);
 }
 
 }  // namespace setsquare

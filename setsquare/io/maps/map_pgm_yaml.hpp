@@ -35,9 +35,4 @@ struct MapFiles {
 [[nodiscard]] MapFiles map_files_from_grid(const OccupancyGrid& grid,
                                            const std::string& image_name = "map.pgm");
 
-/// Writes them: `yaml_path`, and in its folder the image of the same name that ends in .pgm.
-/// Neither changes before both are written in full; the image is renamed first (save_files). Throws
-/// FileError, ParameterError.
-void write_map_pgm_yaml(const std::string& yaml_path, const OccupancyGrid& grid);
-
 }  // namespace setsquare

@@ -6,12 +6,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Eigenvalues>
 #include <optional>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/save_file.hpp"
+#include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/io/bytes/line_reader.hpp"
 #include "setsquare/io/bytes/shortest_number.hpp"
 #include "setsquare/io/bytes/text_beginning.hpp"
@@ -71,8 +70,8 @@ void append_edges(std::string& text, const PoseGraph& graph, ConstraintKind kind
 /// Finite, not too large, positive semi-definite.
 bool is_information(const Eigen::Matrix3d& information) {
   if (information.cwiseAbs().maxCoeff() > kMaxInformation) return false;
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(information, Eigen::EigenvaluesOnly);
-  return eigen.eigenvalues()[0] >= -kRounding * eigen.eigenvalues()[2];
+  const Eigen::Vector3d eigenvalues = symmetric_eigenvalues(information);
+  return eigenvalues[0] >= -kRounding * eigenvalues[2];
 }
 
 /// A line's numbers, after its kind and ids.
@@ -244,10 +243,6 @@ std::string g2o_from_pose_graph(const PoseGraph& graph) {
     text += '\n';
   }
   return text;
-}
-
-void write_pose_graph_g2o(const std::string& path, const PoseGraph& graph) {
-  save_file(path, g2o_from_pose_graph(graph));
 }
 
 PoseGraphG2o read_pose_graph_g2o(std::unique_ptr<ByteSource> source, const std::string& name) {

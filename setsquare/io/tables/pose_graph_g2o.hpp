@@ -25,9 +25,6 @@ namespace setsquare {
 /// heading, too.
 [[nodiscard]] std::string g2o_from_pose_graph(const PoseGraph& graph);
 
-/// Writes g2o_from_pose_graph() under a temporary name and renames it. Throws FileError.
-void write_pose_graph_g2o(const std::string& path, const PoseGraph& graph);
-
 /// What a g2o file holds.
 struct PoseGraphG2o {
   PoseGraph graph;

@@ -115,7 +115,8 @@ std::vector<ClosureCandidate> ClosureCandidates::find(
       return std::pair(a.first, a.second.reference) < std::pair(b.first, b.second.reference);
     });
     const std::size_t first_found = found.size();
-    for (const auto& [cost_m, candidate] : near) {
+    for (const auto& costed : near) {
+      const ClosureCandidate& candidate = costed.second;
       if (found.size() - first_found == params_.max_num) break;
       const bool is_beside_another =
           std::any_of(found.begin() + static_cast<std::ptrdiff_t>(first_found),
