@@ -19,6 +19,10 @@ struct HeadingEvidence {
   /// Standard deviation of the tracked rotation from the keyframe before; unused for the first.
   double step_sigma_rad = 0.0;
   std::vector<HeadingProposal> proposals;  ///< None where no wall was seen.
+  /// Of the place that it stands at. Where several scanners leave keyframes, each is one of as many
+  /// that see the same walls, and counts as so much of a keyframe; its proposals' confidences
+  /// are scaled likewise (share_place()).
+  double share_of_place = 1.0;
 };
 
 }  // namespace setsquare

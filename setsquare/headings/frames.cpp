@@ -26,8 +26,9 @@ constexpr auto kNoFrame = static_cast<std::size_t>(-1);
 struct Piece {
   std::size_t begin = 0;
   std::size_t end = 0;
-  double first_rad = 0.0;  ///< Offset at its first keyframe ...
-  double last_rad = 0.0;   ///< ... and at its last one.
+  double first_rad = 0.0;      ///< Offset at its first keyframe ...
+  double last_rad = 0.0;       ///< ... and at its last one.
+  double num_keyframes = 0.0;  ///< Each by its share of its place.
   double support = 0.0;
   bool tells = false;  ///< Whether its support suffices to determine its frame.
 };
@@ -41,6 +42,7 @@ std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& ke
       pieces.push_back({.begin = k, .first_rad = trace.offset_rad[k]});
     pieces.back().end = k + 1;
     pieces.back().last_rad = trace.offset_rad[k];
+    pieces.back().num_keyframes += keyframes[k].share_of_place;
     pieces.back().support +=
         belief_of(keyframes[k]) - passing_cost(keyframes[k], trace.offset_rad[k], params);
   }
@@ -50,8 +52,8 @@ std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& ke
 void judge_support(std::vector<Piece>& pieces, const HeadingFramesParams& params) {
   bool any_tells = false;
   for (Piece& piece : pieces) {
-    const auto num_keyframes = static_cast<double>(piece.end - piece.begin);
-    piece.tells = piece.support >= std::max(params.min_support, params.min_share * num_keyframes);
+    piece.tells =
+        piece.support >= std::max(params.min_support, params.min_share * piece.num_keyframes);
     any_tells = any_tells || piece.tells;
   }
   if (any_tells || pieces.empty()) return;
@@ -66,7 +68,7 @@ bool is_soon_undone(const std::vector<Piece>& pieces,
                     double period_rad,
                     const HeadingFramesParams& params) {
   if (p == 0 || p + 1 == pieces.size()) return false;
-  if (pieces[p].end - pieces[p].begin > params.max_excursion) return false;
+  if (pieces[p].num_keyframes > static_cast<double>(params.max_excursion)) return false;
   const double left_rad = pieces[p].first_rad - pieces[p - 1].last_rad;
   const double back_rad = pieces[p + 1].first_rad - pieces[p].last_rad;
   return std::abs(wrap_to_period(left_rad + back_rad, period_rad)) < params.same_frame_rad;

@@ -8,6 +8,11 @@
 
 namespace setsquare {
 
+void share_place(double share_of_place, HeadingEvidence& keyframe) {
+  keyframe.share_of_place *= share_of_place;
+  for (HeadingProposal& proposal : keyframe.proposals) proposal.confidence *= share_of_place;
+}
+
 std::vector<HeadingProposal> heading_proposals(const Scan& scan,
                                                const SquareDirectionParams& params,
                                                double confident_margin) {

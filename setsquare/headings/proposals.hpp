@@ -17,4 +17,8 @@ namespace setsquare {
                                                              const SquareDirectionParams& params,
                                                              double confident_margin);
 
+/// Makes a keyframe count as this share of one. Walls that are off square are so for each scanner:
+/// counted in full, the headings would follow them the closer the more scanners see them.
+void share_place(double share_of_place, HeadingEvidence& keyframe);
+
 }  // namespace setsquare

@@ -104,6 +104,8 @@ class Mapper::Parts {
   TrackedPose map(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   /// The same of a scan without isolated returns and of odometry that is one.
   TrackedPose add_cleared(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+  /// The scan that was tracked last. Where several scanners leave keyframes, each is one of as many
+  /// that show a place: the same walls (share_place) and one step of the track.
   void add_keyframe(const Scan& scan);
   /// Tracks of one piece: the loops that are left to close.
   [[nodiscard]] Closed close_one_piece() const;
@@ -200,7 +202,8 @@ void Mapper::Parts::add_keyframe(const Scan& scan) {
   const TrackedPose& tracked = scans_.back().tracked;
   const bool is_first = track_.keyframes.empty();
   track_.keyframes.push_back(tracker_.submap().back());
-  track_.motions.push_back(uncertainty_.take());
+  const double share_of_place = 1.0 / static_cast<double>(tracker_.num_scanners());
+  track_.motions.push_back(uncertainty_.take(share_of_place));
   const bool is_restart = tracked.is_restart && !is_first;
   const bool is_tied = track_.motions.back().has_odometry;
   const std::size_t stretch = is_first ? 0 : track_.stretches.back();
@@ -212,6 +215,7 @@ void Mapper::Parts::add_keyframe(const Scan& scan) {
       {.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
        .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),
        .proposals = heading_proposals(scan, params_.direction, params_.confident_margin)});
+  share_place(share_of_place, evidence_.back());
 }
 
 PoseGraph Mapper::Parts::graph_along(std::span<const double> headings_rad,

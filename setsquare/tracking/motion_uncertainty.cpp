@@ -86,7 +86,7 @@ void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep)
   has_last_ = true;
 }
 
-MotionCovariance MotionUncertainty::take() {
+MotionCovariance MotionUncertainty::take(double share_of_step) {
   const Pose2 moved = T_odom_keyframe_.inverse() * T_odom_last_;
   const double sigma_m =
       params_.step_sigma_m + params_.sigma_per_metre * std::hypot(moved.x_m, moved.y_m);
@@ -94,9 +94,9 @@ MotionCovariance MotionUncertainty::take() {
       params_.step_sigma_rad + params_.sigma_per_turn * std::abs(moved.theta_rad);
   MotionCovariance covariance;
   covariance.translation_m2 =
-      (sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
+      (share_of_step * sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
       open_sigma_m_ * open_sigma_m_;
-  covariance.rotation_rad2 = sigma_rad * sigma_rad + jump_variance_rad2_;
+  covariance.rotation_rad2 = share_of_step * sigma_rad * sigma_rad + jump_variance_rad2_;
   covariance.has_odometry = has_odometry_;
   covariance.is_long_step = is_long_step_;
   covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + (open_sigma_m_ * open_sigma_m_).trace());

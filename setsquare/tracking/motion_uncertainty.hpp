@@ -35,7 +35,9 @@ class MotionUncertainty {
   void add(const TrackedPose& tracked, const SweepStart& sweep = {});
 
   /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
-  [[nodiscard]] MotionCovariance take();
+  /// `share_of_step`: where several scanners leave keyframes, each of them is so much of one step;
+  /// tracking's usual noise grows with the way, not with the number of scanners.
+  [[nodiscard]] MotionCovariance take(double share_of_step = 1.0);
 
  private:
   [[nodiscard]] bool is_bridged(std::uint32_t scanner) const {

@@ -69,6 +69,9 @@ class ScanTracker {
   /// The scans kept that the next one is compared with, the latest at the back.
   [[nodiscard]] const std::vector<KeyframePtr>& submap() const { return submap_; }
 
+  /// Scanners that the submap has keyframes of.
+  [[nodiscard]] std::size_t num_scanners() const;
+
  private:
   /// What is known of a scan before it is placed.
   enum class Situation {
@@ -151,8 +154,6 @@ class ScanTracker {
   /// Compares the gyro with the turn from the last scan to this one, where both were tracked.
   void compare_gyro(const Scan& scan, const TrackedPose& tracked);
   [[nodiscard]] bool is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const;
-  /// Scanners that the submap has keyframes of.
-  [[nodiscard]] std::size_t num_scanners() const;
   void keep(const Scan& scan, ScanSurfacesPtr surfaces, const TrackedPose& tracked);
 
   ScanTrackerParams params_;

@@ -9,6 +9,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/headings/frames.hpp"
+#include "setsquare/headings/proposals.hpp"
 #include "tests/headings/simulated_headings.hpp"
 #include "tests/support/seed.hpp"
 
@@ -67,6 +68,37 @@ TEST(HeadingFrames, AWingSeenAgainIsTheSameFrame) {
   EXPECT_NEAR(offsets_rad[0], rad_from_deg(-25.0), rad_from_deg(1.5));
   EXPECT_NEAR(offsets_rad[1], rad_from_deg(30.0), rad_from_deg(1.5));
   EXPECT_LT(worst_miss_rad(simulated, found), rad_from_deg(2.5));
+}
+
+/// Each keyframe once for each of two scanners that stand at its place.
+SimulatedHeadings seen_by_two(const SimulatedHeadings& simulated) {
+  SimulatedHeadings twice;
+  for (std::size_t k = 0; k < simulated.evidence.size(); ++k) {
+    for (int scanner = 0; scanner < 2; ++scanner) {
+      twice.heading_rad.push_back(simulated.heading_rad[k]);
+      twice.evidence.push_back(simulated.evidence[k]);
+      share_place(0.5, twice.evidence.back());
+    }
+  }
+  return twice;
+}
+
+/// Most walls are outliers here, so that a frame's support is little more than it must be.
+TEST(HeadingFrames, TwoScannersAtAPlaceAreOneKeyframe) {
+  auto generator = make_generator();
+  const auto simulated = simulate_headings({.num_keyframes = 400,
+                                            .measurement_noise_rad = rad_from_deg(0.3),
+                                            .outlier_share = 0.6,
+                                            .wing_offset_rad = {0.0, rad_from_deg(30.0)}},
+                                           generator);
+  const HeadingFrames once = find(simulated);
+  const HeadingFrames twice = find(seen_by_two(simulated));
+  ASSERT_EQ(once.frames.size(), 2U);
+  ASSERT_EQ(twice.frames.size(), 2U);
+  for (std::size_t f = 0; f < 2; ++f) {
+    EXPECT_NEAR(twice.frames[f].offset_rad, once.frames[f].offset_rad, rad_from_deg(0.6));
+    EXPECT_NEAR(twice.frames[f].support, once.frames[f].support, 1.0);
+  }
 }
 
 TEST(HeadingFrames, AWallThatTurnsGraduallyIsNone) {

@@ -110,6 +110,24 @@ TEST(MapperScanners, BothLeaveKeyframes) {
   EXPECT_LT(num_rear, map.keyframes.size() * 3 / 4);
 }
 
+/// How firmly the walls' directions hold the headings of a map.
+double heading_information(const Map& map) {
+  double sum_per_rad2 = 0.0;
+  for (const MappedHeading& heading : map.headings) sum_per_rad2 += heading.information_per_rad2;
+  return sum_per_rad2;
+}
+
+/// Both scanners see the same walls: what is off square about them is measured once.
+TEST(MapperScanners, TheWallsDirectionsDoNotCountTwice) {
+  MapperParams params;
+  params.mounting.num_sightings = 0;
+  const std::vector<TakenScan> taken = scans_of_both();
+  const Map both = map_of(taken, params);
+  const Map front = map_of(only_front(taken), params);
+  EXPECT_GT(both.keyframes.size(), front.keyframes.size() * 3 / 2);
+  EXPECT_NEAR(heading_information(both) / heading_information(front), 1.0, 0.15);
+}
+
 TEST(MapperScanners, AWrongMountingIsToldAndChangesNothing) {
   for (const Pose2& off : {Pose2{0.0, 0.0, rad_from_deg(5.0)},
                            Pose2{0.0, 0.0, rad_from_deg(-40.0)},

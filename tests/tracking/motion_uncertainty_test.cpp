@@ -50,6 +50,23 @@ TEST(MotionUncertainty, AStepHasItsShareOfLengthAndTurn) {
               1e-15);
 }
 
+TEST(MotionUncertainty, KeyframesOfTwoScannersShareTheNoiseOfAStep) {
+  const auto taken = [](double share_of_step, TrackStatus status) {
+    MotionUncertainty uncertainty(kParams);
+    uncertainty.add(at({}), after(0.0));
+    uncertainty.add(at({}, status), after(0.1));
+    return uncertainty.take(share_of_step);
+  };
+  const MotionCovariance whole = taken(1.0, TrackStatus::kTracked);
+  const MotionCovariance half = taken(0.5, TrackStatus::kTracked);
+  EXPECT_TRUE(half.translation_m2.isApprox(0.5 * whole.translation_m2, 1e-12));
+  EXPECT_NEAR(half.rotation_rad2, 0.5 * whole.rotation_rad2, 1e-15);
+  // What a lost scan leaves open is not shared: nobody saw it.
+  EXPECT_NEAR(taken(0.5, TrackStatus::kLost).rotation_rad2 - half.rotation_rad2,
+              square(kParams.lost_sigma_rad),
+              1e-12);
+}
+
 TEST(MotionUncertainty, VariancesOfLostScansAddUp) {
   const MotionCovariance none = covariance_of({at({})});
   for (int num_lost = 1; num_lost <= 5; ++num_lost) {
