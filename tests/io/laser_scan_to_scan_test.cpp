@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
@@ -51,9 +52,9 @@ struct Converted {
   Scan scan;
   ScanOddities oddities;
 };
-Converted convert(const LaserScan& message) {
+Converted convert(LaserScan message) {
   Converted converted;
-  const ScanConversion conversion = scan_from_laser_scan(message, converted.scan);
+  const ScanConversion conversion = scan_from_laser_scan(std::move(message), converted.scan);
   EXPECT_THAT(conversion.fault, IsEmpty());
   EXPECT_NO_THROW(converted.scan.validate());
   converted.oddities = conversion.oddities;
@@ -198,7 +199,7 @@ TEST(ScanFromLaserScan, WhateverTheNumbersAreTheScanIsValidOrRefused) {
     laser.range_max_m = any();
     laser.time_increment_s = any();
     Scan scan;
-    const auto conversion = scan_from_laser_scan(laser, scan);
+    const auto conversion = scan_from_laser_scan(std::move(laser), scan);
     if (!conversion.fault.empty()) continue;
     ++num_taken;
     ASSERT_NO_THROW(scan.validate()) << testing::test_seed();

@@ -292,7 +292,7 @@ bool BagLog::complete(Pending& pending) {
     remark_on_place(pending.record.sensor, mounting.reason);
   }
   const std::string_view fault = placed_[pending.record.sensor].place(
-      pending.scan, mounting.T_target_source, pending.record.scan);
+      std::move(pending.scan), mounting.T_target_source, pending.record.scan);
   if (fault.empty()) return true;
   problems().add(fmt::format("offset {}", pending.record.position),
                  fmt::format("{}: {}", pending.record.sensor, fault));

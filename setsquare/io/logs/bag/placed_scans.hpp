@@ -19,8 +19,8 @@ namespace setsquare {
 /// Makes one laser's messages into scans with their mounting, and counts what was odd about them.
 class PlacedScans {
  public:
-  /// The result is empty, or says why the message is left out.
-  [[nodiscard]] std::string_view place(const ros::LaserScan& message,
+  /// The result is empty, or says why the message is left out. The message's ranges are moved.
+  [[nodiscard]] std::string_view place(ros::LaserScan&& message,
                                        const Eigen::Isometry3d& T_base_sensor,
                                        Scan& scan);
 
