@@ -168,6 +168,20 @@ TEST(ScanFromLaserScan, RangeLimitsThatMakeNoSenseAreLeftAside) {
   EXPECT_TRUE(convert(laser).oddities.empty());
 }
 
+TEST(ScanFromLaserScan, OneRangeAboveTheMaximumIsFoundWhereverItIs) {
+  for (std::size_t num_beams = 2; num_beams < 20; ++num_beams) {
+    for (std::size_t odd = 0; odd < num_beams; ++odd) {
+      LaserScan laser = message(0.0, 0.1 * static_cast<double>(num_beams - 1), 0.1, num_beams);
+      for (const double nothing : {kNan, kInfinity, -kInfinity, 10.0}) {
+        laser.ranges_m[odd] = nothing;
+        EXPECT_TRUE(convert(laser).oddities.empty()) << num_beams << ' ' << odd;
+      }
+      laser.ranges_m[odd] = 10.1;
+      EXPECT_EQ(convert(laser).oddities, only(ScanOddity::kRangesBeyondMax));
+    }
+  }
+}
+
 TEST(ScanFromLaserScan, WhatIsNoScanIsRefused) {
   Scan scan;
   EXPECT_TRUE(

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
@@ -50,6 +52,12 @@ void restore_decimals(Scan& scan) {
   scan.max_range_m = meant_decimal(scan.max_range_m, kRangesPerMetre);
 }
 
+bool has_measurement_beyond_max(const Scan& scan, RangeCodes& codes) {
+  return std::any_of(scan.ranges_m.begin(), scan.ranges_m.end(), [&](double range_m) {
+    return range_m > scan.max_range_m && std::isfinite(range_m) && !codes.is_code(range_m);
+  });
+}
+
 }  // namespace
 
 std::string_view PlacedScans::place(ros::LaserScan&& message,
@@ -57,9 +65,7 @@ std::string_view PlacedScans::place(ros::LaserScan&& message,
                                     Scan& scan) {
   ++num_scans_;
   const ros::ScanConversion converted = ros::scan_from_laser_scan(std::move(message), scan);
-  for (std::size_t k = 0; k < num_odd_.size(); ++k) {
-    num_odd_[k] += converted.oddities.has(static_cast<ros::ScanOddity>(k)) ? 1 : 0;
-  }
+  count_oddities(converted.oddities, scan);
   if (!converted.fault.empty()) return converted.fault;
   restore_decimals(scan);
   if (T_base_sensor.matrix() != T_base_sensor_) {
@@ -69,6 +75,16 @@ std::string_view PlacedScans::place(ros::LaserScan&& message,
   if (!mounting_.is_horizontal()) return "the scanner does not look along the floor";
   mounted_.mount(mounting_, scan);
   return {};
+}
+
+void PlacedScans::count_oddities(ros::ScanOddities oddities, const Scan& scan) {
+  for (std::size_t k = 0; k < num_odd_.size(); ++k) {
+    const auto oddity = static_cast<ros::ScanOddity>(k);
+    if (!oddities.has(oddity)) continue;
+    const bool is_of_codes = oddity == ros::ScanOddity::kRangesBeyondMax &&
+                             !has_measurement_beyond_max(scan, codes_beyond_max_);
+    if (!is_of_codes) ++num_odd_[k];
+  }
 }
 
 std::vector<std::string> PlacedScans::remarks() const {
