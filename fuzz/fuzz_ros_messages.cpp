@@ -22,7 +22,7 @@ struct Input {
 /// What comes of a decoded message keeps its laws.
 void use(ros::LaserScan& message) {
   Scan scan;
-  if (!scan_from_laser_scan(message, scan).fault.empty()) return;
+  if (!scan_from_laser_scan(ros::LaserScan(message), scan).fault.empty()) return;
   require(scan.num_beams() > 0);
   scan.validate();
   const Eigen::Isometry3d tilted(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitX()));

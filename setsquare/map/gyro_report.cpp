@@ -14,6 +14,8 @@ const char* to_string(GyroVerdict verdict) {
       return "mirrored";
     case GyroVerdict::kDegrees:
       return "degrees";
+    case GyroVerdict::kOffTime:
+      return "off time";
     case GyroVerdict::kUnlike:
       return "unlike";
   }

@@ -3,7 +3,9 @@
 #include "setsquare/tracking/gyro.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -105,45 +107,105 @@ void Gyro::compare(Timestamp from, Timestamp to, double matched_rad) {
     growing_.reset();
     return;
   }
-  if (!growing_ || growing_->to != from) growing_ = Stretch{from, from, 0.0, 0.0};
+  if (!growing_ || growing_->to != from) growing_ = Stretch(from);
   growing_->to = to;
   growing_->matched_rad += matched_rad;
-  growing_->gyro_rad += *shown;
+  growing_->gyro_rad[kNoOffset] += *shown;
   if (growing_->duration_s() < params_.stretch_s) return;
+  if (!stretches_.empty()) show_at_other_times(stretches_.back());
   stretches_.push_back(*std::exchange(growing_, std::nullopt));
   if (stretches_.size() > params_.num_stretches) stretches_.pop_front();
   judge();
 }
 
-double Gyro::rest_rad_per_s() const {
+Gyro::Stretch::Stretch(Timestamp begin) : from(begin), to(begin) {
+  gyro_rad.fill(std::numeric_limits<double>::quiet_NaN());
+  gyro_rad[kNoOffset] = 0.0;
+}
+
+double Gyro::scans_late_s(std::size_t offset) {
+  return kOffsetStep_s * (static_cast<double>(offset) - static_cast<double>(kNoOffset));
+}
+
+void Gyro::show_at_other_times(Stretch& stretch) const {
+  for (std::size_t k = 0; k < kNumOffsets; ++k) {
+    if (k == kNoOffset) continue;
+    const std::int64_t late_ns = timestamp_from_seconds(scans_late_s(k)).ns;
+    const auto shown = shown_rad({stretch.from.ns - late_ns}, {stretch.to.ns - late_ns});
+    if (shown) stretch.gyro_rad[k] = *shown;
+  }
+}
+
+double Gyro::rest_rad_per_s(std::size_t offset) const {
   std::vector<double> shown_rad_per_s;
   for (const Stretch& stretch : stretches_) {
-    if (std::abs(stretch.matched_rad) > params_.max_rest_rad) continue;
-    shown_rad_per_s.push_back(stretch.gyro_rad / stretch.duration_s());
+    const double gyro_rad = stretch.gyro_rad[offset];
+    if (std::isnan(gyro_rad) || std::abs(stretch.matched_rad) > params_.max_rest_rad) continue;
+    shown_rad_per_s.push_back(gyro_rad / stretch.duration_s());
   }
   return shown_rad_per_s.size() < kMinAtRest ? 0.0 : median(std::move(shown_rad_per_s));
 }
 
-void Gyro::judge() {
-  const double rest = rest_rad_per_s();
+Gyro::Fit Gyro::fit_at(std::size_t offset) const {
+  const double rest = rest_rad_per_s(offset);
   std::vector<double> ratios;
   for (const Stretch& stretch : stretches_) {
-    if (std::abs(stretch.matched_rad) < params_.min_turn_rad) continue;
-    const double gyro_rad = stretch.gyro_rad - rest * stretch.duration_s();
-    ratios.push_back(stretch.matched_rad / gyro_rad);
+    const double shown_rad = stretch.gyro_rad[offset];
+    if (std::isnan(shown_rad) || std::abs(stretch.matched_rad) < params_.min_turn_rad) continue;
+    ratios.push_back(stretch.matched_rad / (shown_rad - rest * stretch.duration_s()));
   }
-  report_.num_turns = ratios.size();
-  if (ratios.size() < params_.min_turns) return;
-  report_.scale = median(ratios);
-  for (double& ratio : ratios) ratio = std::abs(ratio - report_.scale);
-  report_.verdict = verdict_on(report_.scale, median(std::move(ratios)), params_);
+  Fit fit{.num_turns = ratios.size()};
+  if (ratios.size() < params_.min_turns) return fit;
+  fit.scale = median(ratios);
+  for (double& ratio : ratios) ratio = std::abs(ratio - fit.scale);
+  fit.deviation = median(std::move(ratios));
+  return fit;
+}
+
+void Gyro::judge() {
+  const Fit fit = fit_at(kNoOffset);
+  report_.num_turns = fit.num_turns;
+  if (fit.num_turns < params_.min_turns) return;
+  report_.scale = fit.scale;
+  report_.scans_late_s = 0.0;
+  report_.verdict = verdict_on(fit.scale, fit.deviation, params_);
+  if (report_.verdict == GyroVerdict::kUnlike) judge_at_other_times();
   if (report_.verdict != GyroVerdict::kBelieved) return;
   std::vector<double> beyond_rad_per_s;
   for (const Stretch& stretch : stretches_) {
-    beyond_rad_per_s.push_back((stretch.gyro_rad - stretch.matched_rad / report_.scale) /
+    beyond_rad_per_s.push_back((stretch.gyro_rad[kNoOffset] - stretch.matched_rad / report_.scale) /
                                stretch.duration_s());
   }
   report_.bias_rad_per_s = median(std::move(beyond_rad_per_s));
+}
+
+void Gyro::judge_at_other_times() {
+  constexpr double kClearlyBetter = 0.5;
+  Fit best;
+  double best_share = std::numeric_limits<double>::infinity();
+  std::size_t best_offset = kNoOffset;
+  std::array<double, 2> least_share;  // By the scale's sign.
+  least_share.fill(best_share);
+  for (std::size_t k = 0; k < kNumOffsets; ++k) {
+    const Fit fit = fit_at(k);
+    const double share = fit.deviation / std::abs(fit.scale);
+    if (std::isnan(share)) continue;  // Too few turns.
+    double& least = least_share[fit.scale < 0.0 ? 1 : 0];
+    least = std::min(least, share);
+    if (share >= best_share) continue;
+    best_share = share;
+    best = fit;
+    best_offset = k;
+  }
+  // To who swings to and fro evenly, half a swing later is the other way round.
+  const double other_way_share = least_share[best.scale < 0.0 ? 0 : 1];
+  if (best_offset == kNoOffset || best_share > kClearlyBetter * other_way_share) return;
+  const GyroVerdict verdict = verdict_on(best.scale, best.deviation, params_);
+  if (verdict == GyroVerdict::kUnlike) return;
+  report_.verdict = verdict == GyroVerdict::kBelieved ? GyroVerdict::kOffTime : verdict;
+  report_.num_turns = best.num_turns;
+  report_.scale = best.scale;
+  report_.scans_late_s = scans_late_s(best_offset);
 }
 
 }  // namespace setsquare

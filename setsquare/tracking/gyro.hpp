@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <deque>
 #include <optional>
@@ -22,6 +23,9 @@ namespace setsquare {
 ///    robot does turn: medians over the latest stretches, for single matches may be wrong.
 /// 4. Only a gyro whose scale is near 1 is believed. One that is mirrored, in degrees, or shows
 ///    something else is told and ignored.
+/// 5. Of one that shows something else the turns of other times are looked at, up to 0.3 s earlier
+///    and later, as in logs whose scans are stamped when they arrive: where its turns at one of
+///    these times agree best and well enough, it is told what it is, and ignored all the same.
 class Gyro {
  public:
   explicit Gyro(const GyroParams& params) : params_(params) {}
@@ -40,6 +44,11 @@ class Gyro {
   [[nodiscard]] const GyroReport& report() const { return report_; }
 
  private:
+  /// Times of the gyro that are compared: as stamped, and earlier and later by these steps.
+  static constexpr double kOffsetStep_s = 0.05;
+  static constexpr std::size_t kNumOffsets = 13;
+  static constexpr std::size_t kNoOffset = kNumOffsets / 2;
+
   struct Sample {
     Timestamp stamp;
     double rad_per_s = 0.0;
@@ -47,18 +56,31 @@ class Gyro {
   };
   /// A stretch of time, and how the robot turned meanwhile by both.
   struct Stretch {
+    explicit Stretch(Timestamp begin);
+
     Timestamp from;
     Timestamp to;
     double matched_rad = 0.0;
-    double gyro_rad = 0.0;
+    std::array<double, kNumOffsets> gyro_rad;  ///< NaN where its samples do not span the time.
     [[nodiscard]] double duration_s() const { return seconds_between(from, to); }
   };
 
   [[nodiscard]] std::optional<double> angle_rad(Timestamp stamp) const;
   /// As the gyro shows it, bias and scale included.
   [[nodiscard]] std::optional<double> shown_rad(Timestamp from, Timestamp to) const;
+  /// How the gyro's turns at an offset fit the scans'.
+  struct Fit {
+    std::size_t num_turns = 0;
+    double scale = 0.0;
+    double deviation = 0.0;  ///< Median, of the single turns' scales.
+  };
+  [[nodiscard]] Fit fit_at(std::size_t offset) const;
+  [[nodiscard]] double rest_rad_per_s(std::size_t offset) const;
+  [[nodiscard]] static double scans_late_s(std::size_t offset);
+  /// Of a stretch behind which samples have come.
+  void show_at_other_times(Stretch& stretch) const;
   void judge();
-  [[nodiscard]] double rest_rad_per_s() const;
+  void judge_at_other_times();
 
   GyroParams params_;
   std::deque<Sample> samples_;  ///< The latest.

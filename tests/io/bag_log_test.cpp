@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/bag/bag_log.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -60,7 +62,8 @@ class Recording {
 
   void add_scan(double stamp_s,
                 const std::string& frame = "laser",
-                std::optional<double> log_time_s = {}) {
+                std::optional<double> log_time_s = {},
+                double last_range_m = 5.0) {
     ros::LaserScan scan;
     scan.stamp = at_s(stamp_s);
     scan.frame_id = frame;
@@ -68,7 +71,7 @@ class Recording {
     scan.angle_max_rad = 1.0;
     scan.angle_increment_rad = 0.5;
     scan.range_max_m = 30.0;
-    scan.ranges_m = {1.0, 2.0, 3.0, 4.0, 5.0};
+    scan.ranges_m = {1.0, 2.0, 3.0, 4.0, last_range_m};
     add("/scan", "sensor_msgs/msg/LaserScan", scan, log_time_s.value_or(stamp_s));
   }
 
@@ -122,6 +125,53 @@ TEST(BagLog, ReadsAScanAsItWasSent) {
   EXPECT_NEAR(record.scan.bearing_step_rad, 0.5, 1e-7);
   EXPECT_EQ(record.scan.max_range_m, 30.0);
   EXPECT_FALSE(record.T_odom_base.has_value());
+}
+
+/// Of scans whose range_max is 30 m; all of them wait for a transform until the recording ends.
+std::string words_on_ranges_beyond_max(const std::function<double(int)>& range_m) {
+  Recording recording;
+  for (int i = 0; i < 40; ++i) recording.add_scan(1.0 + 0.1 * i, "laser", {}, range_m(i));
+  std::string words;
+  const ReadLog log = recording.read();
+  for (const std::string& remark : log.problems.remarks) {
+    if (remark.find("above range_max") != std::string::npos) words += remark;
+  }
+  return words;
+}
+
+TEST(BagLog, MeasurementsAboveRangeMaxAreToldAndCodesAreNot) {
+  EXPECT_THAT(words_on_ranges_beyond_max([](int i) { return 31.0 + 0.01 * i; }),
+              HasSubstr("--max-range"));
+  EXPECT_THAT(words_on_ranges_beyond_max([](int i) { return i < 20 ? 81.83 : 81.91; }), IsEmpty());
+  EXPECT_THAT(words_on_ranges_beyond_max([](int) { return 65.533; }), IsEmpty());
+}
+
+/// A CARMEN log has SICK's codes from 81.83 m on for "nothing seen".
+TEST(BagLog, NoReturnsOfACarmenLogStayWhatTheyWereAndAreNotTold) {
+  std::string carmen;
+  for (int i = 0; i < 30; ++i) {
+    carmen += fmt::format("FLASER 5 2.5 81.83 {:.2f} 81.91 4.25 0 0 0 0 0 0 {:.1f} host {:.1f}\n",
+                          3.0 + 0.01 * i,
+                          0.2 * i,
+                          0.2 * i);
+  }
+  std::string bytes;
+  const auto writer =
+      make_log_writer(LogFormat::kMcap, [&bytes](std::string_view more) { bytes += more; });
+  const ReadLog original = read_all(carmen);
+  for (const LogRecord& record : original.records) writer->write(record);
+  writer->finish();
+  const ReadLog converted = read_all(bytes);
+  EXPECT_THAT(converted.problems.remarks, Not(Contains(HasSubstr("range_max"))));
+  std::size_t num_scans = 0;
+  for (const LogRecord& record : converted.records) {
+    if (record.kind != RecordKind::kScan) continue;
+    ++num_scans;
+    EXPECT_EQ(record.scan.ranges_m[1], 81.83);
+    EXPECT_EQ(record.scan.ranges_m[3], 81.91);
+    EXPECT_EQ(record.scan.outcome(3), BeamOutcome::kNoReturn);
+  }
+  EXPECT_EQ(num_scans, 30U);
 }
 
 TEST(BagLog, ALaserThatNoTransformPlacesIsAtTheRobotsFrameAndItIsReported) {
@@ -296,6 +346,42 @@ LogRecord decimal_record(std::mt19937_64& generator, double stamp_s) {
   }
   record.T_odom_base = Pose2{uniform(generator, -9.0, 9.0), uniform(generator, -9.0, 9.0), 0.7};
   return record;
+}
+
+/// As BagLog's loop does, but one by one and with the standard library's rounding.
+double plain_meant_decimal(float range_m) {
+  const double rounded = std::nearbyint(double{range_m} * 1e4) / 1e4;
+  return static_cast<float>(rounded) == range_m ? rounded : double{range_m};
+}
+
+TEST(BagLog, RangesAreTheDecimalsThatWereMeantOrTheFloatsThemselves) {
+  auto generator = make_generator();
+  std::string bytes;
+  const auto writer =
+      make_log_writer(LogFormat::kMcap, [&bytes](std::string_view piece) { bytes += piece; });
+  std::vector<std::vector<float>> sent_m;
+  for (std::size_t num_beams = 1; num_beams < 40; ++num_beams) {  // Whole vectors and their rests.
+    std::vector<float> ranges_m(num_beams);
+    for (float& range_m : ranges_m) {
+      const double any_m = std::exp(uniform(generator, -9.0, 12.0));
+      const bool is_decimal = generator() % 2 == 0;
+      range_m = static_cast<float>(is_decimal ? std::round(any_m * 1000.0) / 1000.0 : any_m);
+    }
+    ranges_m[generator() % num_beams] = std::numeric_limits<float>::infinity();
+    ranges_m[generator() % num_beams] = 1e30F;
+    LogRecord record = decimal_record(generator, static_cast<double>(num_beams));
+    record.scan.ranges_m.assign(ranges_m.begin(), ranges_m.end());
+    writer->write(record);
+    sent_m.push_back(ranges_m);
+  }
+  writer->finish();
+  const ReadLog log = read_all(bytes);
+  ASSERT_THAT(log.records, SizeIs(sent_m.size()));
+  for (std::size_t i = 0; i < sent_m.size(); ++i) {
+    std::vector<double> expected_m;
+    for (const float range_m : sent_m[i]) expected_m.push_back(plain_meant_decimal(range_m));
+    EXPECT_EQ(log.records[i].scan.ranges_m, expected_m) << testing::test_seed();
+  }
 }
 
 class PackedBagLog : public ::testing::TestWithParam<ChunkPacking> {};

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
@@ -51,9 +52,9 @@ struct Converted {
   Scan scan;
   ScanOddities oddities;
 };
-Converted convert(const LaserScan& message) {
+Converted convert(LaserScan message) {
   Converted converted;
-  const ScanConversion conversion = scan_from_laser_scan(message, converted.scan);
+  const ScanConversion conversion = scan_from_laser_scan(std::move(message), converted.scan);
   EXPECT_THAT(conversion.fault, IsEmpty());
   EXPECT_NO_THROW(converted.scan.validate());
   converted.oddities = conversion.oddities;
@@ -167,6 +168,20 @@ TEST(ScanFromLaserScan, RangeLimitsThatMakeNoSenseAreLeftAside) {
   EXPECT_TRUE(convert(laser).oddities.empty());
 }
 
+TEST(ScanFromLaserScan, OneRangeAboveTheMaximumIsFoundWhereverItIs) {
+  for (std::size_t num_beams = 2; num_beams < 20; ++num_beams) {
+    for (std::size_t odd = 0; odd < num_beams; ++odd) {
+      LaserScan laser = message(0.0, 0.1 * static_cast<double>(num_beams - 1), 0.1, num_beams);
+      for (const double nothing : {kNan, kInfinity, -kInfinity, 10.0}) {
+        laser.ranges_m[odd] = nothing;
+        EXPECT_TRUE(convert(laser).oddities.empty()) << num_beams << ' ' << odd;
+      }
+      laser.ranges_m[odd] = 10.1;
+      EXPECT_EQ(convert(laser).oddities, only(ScanOddity::kRangesBeyondMax));
+    }
+  }
+}
+
 TEST(ScanFromLaserScan, WhatIsNoScanIsRefused) {
   Scan scan;
   EXPECT_TRUE(
@@ -198,7 +213,7 @@ TEST(ScanFromLaserScan, WhateverTheNumbersAreTheScanIsValidOrRefused) {
     laser.range_max_m = any();
     laser.time_increment_s = any();
     Scan scan;
-    const auto conversion = scan_from_laser_scan(laser, scan);
+    const auto conversion = scan_from_laser_scan(std::move(laser), scan);
     if (!conversion.fault.empty()) continue;
     ++num_taken;
     ASSERT_NO_THROW(scan.validate()) << testing::test_seed();

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <limits>
 #include <random>
@@ -95,6 +96,101 @@ TEST(Gyro, OneThatLiesIsToldAndIgnored) {
     const Gyro gyro = gyro_after(60.0, lies[i].shown);
     EXPECT_EQ(gyro.report().verdict, lies[i].verdict) << i;
     EXPECT_FALSE(gyro.turn_rad(stamp_at(58.3), stamp_at(58.6))) << i;
+  }
+}
+
+/// A scanner that is carried: it swings to and fro faster than the half second of a comparison, and
+/// rests now and then.
+double carried_heading_rad(double time_s) {
+  const double phase_s = std::fmod(time_s, 7.0);
+  if (phase_s > 5.0) return 0.0;
+  return rad_from_deg(35.0) * std::sin(kTwoPi * phase_s / 1.25) * std::sin(kPi * phase_s / 5.0);
+}
+
+/// One that is swung as evenly as a pendulum: half a swing later all looks mirrored.
+double pendulum_heading_rad(double time_s) {
+  return rad_from_deg(30.0) * std::sin(kTwoPi * time_s / 0.8);
+}
+
+using Heading = double (*)(double time_s);
+
+/// How the gyro of a carried scanner is judged whose scans are stamped late.
+GyroReport carried_report(std::uint64_t seed,
+                          double scans_late_s,
+                          const std::function<double(double)>& shown,
+                          Heading heading = carried_heading_rad,
+                          double duration_s = 60.0) {
+  std::mt19937_64 generator(seed);
+  std::normal_distribution<double> noise(0.0, 1.0);
+  Gyro gyro{GyroParams{}};
+  double last_matched_rad = 0.0;
+  int num_samples = 0;
+  for (int scan = 1; scan * kScan_s < duration_s; ++scan) {
+    const double time_s = scan * kScan_s;
+    for (; num_samples * kSample_s <= time_s; ++num_samples) {
+      const double sample_s = num_samples * kSample_s;
+      const double rate = (heading(sample_s + 1e-6) - heading(sample_s - 1e-6)) / 2e-6;
+      gyro.add(stamp_at(sample_s), shown(rate) * (1.0 + 0.02 * noise(generator)));
+    }
+    double matched_rad = heading(time_s - scans_late_s) + rad_from_deg(0.3) * noise(generator);
+    if (scan % 10 == 9) matched_rad += rad_from_deg(15.0) * noise(generator);
+    if (scan > 1) {
+      gyro.compare(stamp_at(time_s - kScan_s), stamp_at(time_s), matched_rad - last_matched_rad);
+    }
+    last_matched_rad = matched_rad;
+  }
+  return gyro.report();
+}
+
+// Where scans are stamped when they arrive: found at another time of the gyro, what it is is told.
+TEST(Gyro, WhatItIsIsToldWhereScansAreStampedLateOrEarly) {
+  struct Kind {
+    double scale;  ///< Of what the gyro shows.
+    GyroVerdict verdict;
+  };
+  const std::vector<Kind> kinds = {{1.0, GyroVerdict::kOffTime},
+                                   {-1.0, GyroVerdict::kMirrored},
+                                   {deg_from_rad(1.0), GyroVerdict::kDegrees},
+                                   {-deg_from_rad(1.0), GyroVerdict::kDegrees}};
+  for (const std::uint64_t seed : {101U, 102U, 103U}) {
+    for (const Kind& kind : kinds) {
+      for (const double late_s : {-0.22, -0.15, 0.13, 0.2}) {
+        const GyroReport report = carried_report(
+            seed, late_s, [&](double rate) { return kind.scale * rate + 0.01 * kind.scale; });
+        EXPECT_EQ(report.verdict, kind.verdict) << seed << ' ' << kind.scale << ' ' << late_s;
+        EXPECT_NEAR(report.scale * kind.scale, 1.0, 0.15) << late_s;
+        EXPECT_NEAR(report.scans_late_s, late_s, 0.051);
+      }
+    }
+  }
+}
+
+TEST(Gyro, OneThatFitsAtNoTimeOrAtOnceIsToldSo) {
+  for (const std::uint64_t seed : {201U, 202U, 203U, 204U, 205U}) {
+    std::mt19937_64 generator(seed);
+    std::normal_distribution<double> noise(0.0, 1.0);
+    const std::vector<std::function<double(double)>> unlike = {
+        [&](double) { return noise(generator); },
+        [&](double) { return std::exp(noise(generator)); },
+        [](double) { return 1.3; },
+        [](double rate) { return 3.0 * rate; }};
+    for (std::size_t i = 0; i < unlike.size(); ++i) {
+      EXPECT_EQ(carried_report(seed, 0.1, unlike[i]).verdict, GyroVerdict::kUnlike) << i;
+    }
+    const GyroReport right = carried_report(seed, 0.0, [](double rate) { return rate; });
+    EXPECT_EQ(right.verdict, GyroVerdict::kBelieved);
+    EXPECT_EQ(right.scans_late_s, 0.0);
+  }
+}
+
+TEST(Gyro, WhichWayAPendulumTurnsIsNotGuessed) {
+  for (const std::uint64_t seed : {301U, 302U, 303U}) {
+    for (const double late_s : {-0.2, -0.1, 0.1, 0.15, 0.2}) {
+      const auto verdict = carried_report(
+                               seed, late_s, [](double rate) { return rate; }, pendulum_heading_rad)
+                               .verdict;
+      EXPECT_NE(verdict, GyroVerdict::kMirrored) << seed << ' ' << late_s;
+    }
   }
 }
 

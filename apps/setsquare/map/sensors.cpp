@@ -136,6 +136,11 @@ std::vector<std::string> sentences_on(const std::vector<MappedScanner>& scanners
 std::string sentence_on(const GyroReport& gyro) {
   constexpr auto kOtherWay =
       "it turns the other way: it or the scanner is mounted upside down (--mirror-scans)";
+  const std::string offset = gyro.scans_late_s == 0.0
+                                 ? ""
+                                 : fmt::format("; the scans are stamped about {:.2f} s too {}",
+                                               std::abs(gyro.scans_late_s),
+                                               gyro.scans_late_s > 0.0 ? "late" : "early");
   switch (gyro.verdict) {
     case GyroVerdict::kOpen:
       return "gyro: not used, the robot did not turn enough to judge it";
@@ -144,11 +149,14 @@ std::string sentence_on(const GyroReport& gyro) {
                          gyro.scale,
                          deg_from_rad(gyro.bias_rad_per_s));
     case GyroVerdict::kMirrored:
-      return fmt::format("gyro: ignored, {}", kOtherWay);
+      return fmt::format("gyro: ignored, {}{}", kOtherWay, offset);
     case GyroVerdict::kDegrees:
-      return fmt::format("gyro: ignored, its rates are degrees per second{}{}",
+      return fmt::format("gyro: ignored, its rates are degrees per second{}{}{}",
                          gyro.scale < 0.0 ? ", and " : "",
-                         gyro.scale < 0.0 ? kOtherWay : "");
+                         gyro.scale < 0.0 ? kOtherWay : "",
+                         offset);
+    case GyroVerdict::kOffTime:
+      return fmt::format("gyro: ignored, it turns as the scans do, but at other times{}", offset);
     case GyroVerdict::kUnlike:
       return "gyro: ignored, it does not turn as the scans show";
   }

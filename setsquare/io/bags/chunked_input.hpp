@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What the readers of chunked recordings share: rosbag1 and mcap.
+// The bytes of chunked recordings, apart from chunked_recording since it knows of no messages.
 #pragma once
 
 #include <cstddef>

@@ -12,8 +12,8 @@
 namespace setsquare {
 namespace {
 
-/// A recording has a few hundred channels; a file that describes more than this is damaged.
-constexpr std::size_t kMaxChannels = 1 << 14;
+/// A recording has a few hundred types; a file that describes more than this is damaged.
+constexpr std::size_t kMaxSchemas = 1 << 14;
 /// How far behind a place where a record may begin we look whether another one follows it.
 constexpr std::size_t kMaxLookAheadBytes = 1 << 24;
 /// Longer messages are not read only to see whether another record follows: they may be jumped
@@ -59,19 +59,8 @@ bool is_followed_by_mcap_record(ByteWindow& bytes, const McapHead& head) {
 
 bool is_mcap(std::string_view beginning) { return beginning.starts_with("\x89MCAP0"); }
 
-bool Mcap::read(Message& message) {
-  input_.next_record().consume(std::exchange(num_bytes_of_message_, 0));
-  while (!is_ended_) {
-    const Step step = read_record(message);
-    if (step == Step::kMessage) return true;
-    is_ended_ = step == Step::kEnd;
-    if (is_ended_) report_end();
-  }
-  return false;
-}
-
 Mcap::Step Mcap::read_record(Message& message) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   if (!is_begun_) {
     is_begun_ = true;
     if (bytes.ensure(kMcapMagic.size()) && bytes.available().starts_with(kMcapMagic)) {
@@ -88,7 +77,7 @@ Mcap::Step Mcap::read_record(Message& message) {
   } else if (covers_others(bytes, *head)) {
     resynchronise("a record's length is wrong");
   } else if (head->op == McapOp::kMessage) {
-    return read_message(*head, message);
+    return read_message_record(*head, message);
   } else if (head->op == McapOp::kSchema || head->op == McapOp::kChannel) {
     read_description(*head);
   } else if (head->op == McapOp::kChunk) {
@@ -96,53 +85,30 @@ Mcap::Step Mcap::read_record(Message& message) {
   } else if (head->op == McapOp::kFooter) {
     return pass_footer(*head);
   } else {
-    pass(*head);
+    pass(head->num_bytes());
   }
   return Step::kOther;
 }
 
-Mcap::Step Mcap::read_message(const McapHead& head, Message& message) {
+Mcap::Step Mcap::read_message_record(const McapHead& head, Message& message) {
   constexpr std::size_t kHeadBytes = McapHead::kBytes + McapMessageHead::kBytes;
-  ByteWindow& bytes = input_.next_record();
-  const bool is_in_plain_chunk = !input_.is_in_chunk() && bytes.offset() < end_of_plain_chunk_;
-  if (is_in_plain_chunk && bytes.offset() + head.num_bytes() > end_of_plain_chunk_) {
-    resynchronise("a message reaches beyond its chunk");
-    return Step::kOther;
-  }
+  if (leaves_chunk(head.num_bytes())) return Step::kOther;
+  ByteWindow& bytes = input().next_record();
   bytes.ensure(kHeadBytes);
   const auto message_head = read_mcap_message_head(bytes.available().substr(McapHead::kBytes));
   if (!message_head) {
     resynchronise("a message is cut short");
     return Step::kOther;
   }
-  const auto channel = topic_of_channel_.find(message_head->channel_id);
-  if (channel == topic_of_channel_.end()) {
-    problems().add(
-        input_.location(),
-        fmt::format("a message of channel {}, which is not described", message_head->channel_id));
-    pass(head);
-    return Step::kOther;
-  }
-  if (!is_wanted(channel->second)) {
-    if (pass(head)) count(channel->second);
-    return Step::kOther;
-  }
-  const auto num_bytes = static_cast<std::size_t>(head.num_bytes());
-  if (!bytes.ensure(num_bytes)) {
-    resynchronise("a message is cut short");
-    return Step::kOther;
-  }
-  count(channel->second);
-  message.topic = channel->second;
-  message.log_time = stamp_from_mcap(message_head->log_time_ns);
-  message.data = bytes.available().substr(kHeadBytes, num_bytes - kHeadBytes);
-  message.position = input_.position();
-  num_bytes_of_message_ = num_bytes;
-  return Step::kMessage;
+  return read_message({.channel = message_head->channel_id,
+                       .log_time = stamp_from_mcap(message_head->log_time_ns),
+                       .num_bytes = head.num_bytes(),
+                       .num_head_bytes = kHeadBytes},
+                      message);
 }
 
 void Mcap::read_description(const McapHead& head) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   const auto num_bytes = static_cast<std::size_t>(head.num_bytes());
   if (!bytes.ensure(num_bytes)) {
     resynchronise("the description of a channel is cut short");
@@ -162,7 +128,7 @@ void Mcap::read_description(const McapHead& head) {
 bool Mcap::add_schema(std::string_view body) {
   const auto schema = read_mcap_schema(body);
   if (!schema) return false;
-  if (schemas_.size() >= kMaxChannels) return true;
+  if (schemas_.size() >= kMaxSchemas) return true;
   const auto [place, is_new] = schemas_.try_emplace(schema->id);
   if (!is_new) return true;
   place->second.name = schema->name;
@@ -174,18 +140,7 @@ bool Mcap::add_schema(std::string_view body) {
 bool Mcap::add_channel(std::string_view body) {
   const auto channel = read_mcap_channel(body);
   if (!channel) return false;
-  const auto known = topic_of_channel_.find(channel->id);
-  if (known != topic_of_channel_.end()) {
-    if (topics()[known->second].name != channel->topic) {
-      problems().add(input_.location(),
-                     fmt::format("channel {} is described again, as another", channel->id));
-    }
-    return true;
-  }
-  if (topic_of_channel_.size() >= kMaxChannels) {
-    problems().add(input_.location(), "too many channels");
-    return true;
-  }
+  if (!is_new_channel(channel->id, channel->topic)) return true;
   MessageTopic topic;
   topic.name = channel->topic;
   topic.encoding = encoding_from_mcap(channel->message_encoding);
@@ -195,24 +150,24 @@ bool Mcap::add_channel(std::string_view body) {
     topic.definition = schema->second.definition;
   } else if (channel->schema_id != 0) {
     problems().add(
-        input_.location(),
+        input().location(),
         fmt::format(
             "channel {} has schema {}, which is not described", channel->id, channel->schema_id));
   }
-  topic_of_channel_.emplace(channel->id, add_topic(std::move(topic)));
+  add_channel_topic(channel->id, std::move(topic));
   return true;
 }
 
 void Mcap::read_chunk(const McapHead& head) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   bytes.ensure(McapHead::kBytes + McapChunkHead::kMaxBytes);
   const auto chunk =
       read_mcap_chunk_head(bytes.available().substr(McapHead::kBytes), head.num_body_bytes);
-  if (!chunk || input_.is_in_chunk()) {
+  if (!chunk || input().is_in_chunk()) {
     resynchronise(chunk ? "a chunk inside a chunk" : "a chunk's lengths are damaged");
     return;
   }
-  const std::string location = input_.location();
+  const std::string location = input().location();
   const bool is_plain = chunk->compression.empty();
   const auto packing = packing_from_mcap(chunk->compression);
   const bool can_be_held = chunk->num_bytes_packed <= BlockUnpacker::kMaxBlockBytes;
@@ -221,53 +176,44 @@ void Mcap::read_chunk(const McapHead& head) {
                    fmt::format("a chunk of {} bytes packed by \"{}\" cannot be read",
                                chunk->num_bytes_packed,
                                chunk->compression));
-    pass(head);
+    pass(head.num_bytes());
     return;
   }
   bytes.consume(McapHead::kBytes + chunk->num_bytes);
   if (is_plain) {
-    end_of_plain_chunk_ = bytes.offset() + chunk->num_bytes_packed;
+    set_end_of_plain_chunk(bytes.offset() + chunk->num_bytes_packed);
     return;
   }
   const std::string damage =
-      input_.enter_chunk(*packing, chunk->num_bytes_packed, chunk->num_bytes_unpacked);
+      input().enter_chunk(*packing, chunk->num_bytes_packed, chunk->num_bytes_unpacked);
   if (!damage.empty()) {
     problems().add(location, "a chunk is " + damage);
-  } else if (chunk->crc != 0 && chunk->crc != crc_of(input_.chunk_bytes())) {
+  } else if (chunk->crc != 0 && chunk->crc != crc_of(input().chunk_bytes())) {
     problems().add(location, "a chunk's checksum is wrong; its messages are read all the same");
   }
 }
 
-/// Jumps over a record; false where it is cut short.
-bool Mcap::pass(const McapHead& head) {
-  ByteWindow& bytes = input_.next_record();
-  const std::uint64_t offset = bytes.offset();
-  if (bytes.skip(head.num_bytes()) == head.num_bytes()) return true;
-  problems().add(input_.location(offset), "a record is cut short");
-  return false;
-}
-
 /// A record of a kind that a later version may define is passed where another one follows it.
 void Mcap::pass_unknown() {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   const auto head = read_unknown_mcap_head(bytes.available());
   if (!head || !is_followed_by_mcap_record(bytes, *head)) {
     resynchronise("no whole record begins here");
     return;
   }
-  problems().add(input_.location(),
+  problems().add(input().location(),
                  fmt::format("a record of unknown kind {}", static_cast<int>(head->op)));
-  pass(*head);
+  pass(head->num_bytes());
 }
 
 /// The end, where the magic follows.
 Mcap::Step Mcap::pass_footer(const McapHead& head) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   const auto num_bytes = static_cast<std::size_t>(head.num_bytes());
-  has_footer_ = !input_.is_in_chunk() && bytes.ensure(num_bytes + kMcapMagic.size()) &&
+  has_footer_ = !input().is_in_chunk() && bytes.ensure(num_bytes + kMcapMagic.size()) &&
                 bytes.available().substr(num_bytes).starts_with(kMcapMagic);
   if (has_footer_) return Step::kEnd;
-  pass(head);
+  pass(head.num_bytes());
   return Step::kOther;
 }
 
@@ -276,7 +222,7 @@ bool Mcap::has_fitting_body(const McapHead& head, std::string_view body) const {
   if (head.op == McapOp::kChannel) return read_mcap_channel(body).has_value();
   if (head.op != McapOp::kMessage) return true;
   const auto message = read_mcap_message_head(body);
-  return message && topic_of_channel_.contains(message->channel_id);
+  return message && is_known_channel(message->channel_id);
 }
 
 /// Whether a record begins here beyond doubt: not only an op code and a length that may be, which
@@ -312,16 +258,11 @@ bool Mcap::covers_others(ByteWindow& bytes, const McapHead& head) const {
   return false;
 }
 
-void Mcap::resynchronise(const std::string& reason) {
-  problems().add(input_.location(), reason);
-  input_.find_record([this](ByteWindow& bytes) { return is_record(bytes); });
-}
-
 void Mcap::report_end() {
   if (!has_footer_) {
     problems().remarks.emplace_back("the file ends without a footer: the recording was cut short");
   }
-  const std::string damage = input_.file().source().damage();
+  const std::string damage = input().file().source().damage();
   if (!damage.empty()) problems().remarks.push_back(damage);
 }
 

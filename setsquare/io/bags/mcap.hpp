@@ -4,14 +4,12 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <unordered_map>
 
-#include "setsquare/io/bags/chunked_input.hpp"
+#include "setsquare/io/bags/chunked_recording.hpp"
 #include "setsquare/io/bags/mcap_records.hpp"
-#include "setsquare/io/bags/message_source.hpp"
 
 namespace setsquare {
 
@@ -26,47 +24,35 @@ namespace setsquare {
 /// told only behind it. Where a record is damaged, reading goes on at the next place where a record
 /// begins beyond doubt. A chunk's checksum is compared where the chunk is unpacked anyway: there it
 /// costs a fraction, but would halve the speed of an uncompressed one, and forbid jumping.
-class Mcap final : public MessageSource {
+class Mcap final : public ChunkedRecording {
  public:
-  explicit Mcap(std::unique_ptr<InputBuffer> input) : input_(std::move(input)) {}
+  explicit Mcap(std::unique_ptr<InputBuffer> input)
+      : ChunkedRecording(std::move(input), "channel") {}
 
-  bool read(Message& message) override;
   std::string format() const override { return "MCAP"; }
-  std::optional<double> fraction_read() const override {
-    return input_.file().source().fraction_read();
-  }
 
  private:
-  enum class Step { kMessage, kOther, kEnd };
-
   struct Schema {
     std::string name;
     std::string definition;
   };
 
-  Step read_record(Message& message);
-  Step read_message(const McapHead& head, Message& message);
+  Step read_record(Message& message) override;
+  Step read_message_record(const McapHead& head, Message& message);
   void read_description(const McapHead& head);
   void read_chunk(const McapHead& head);
-  bool pass(const McapHead& head);
   void pass_unknown();
   Step pass_footer(const McapHead& head);
   bool add_schema(std::string_view body);
   bool add_channel(std::string_view body);
-  [[nodiscard]] bool is_record(ByteWindow& bytes) const;
+  [[nodiscard]] bool is_record(ByteWindow& bytes) const override;
   [[nodiscard]] bool covers_others(ByteWindow& bytes, const McapHead& head) const;
   [[nodiscard]] bool has_fitting_body(const McapHead& head, std::string_view body) const;
-  void resynchronise(const std::string& reason);
-  void report_end();
+  void report_end() override;
 
-  ChunkedInput input_;
   std::unordered_map<std::uint16_t, Schema> schemas_;
-  std::unordered_map<std::uint16_t, std::size_t> topic_of_channel_;
-  std::size_t num_bytes_of_message_ = 0;  ///< What the last read() handed on.
-  std::uint64_t end_of_plain_chunk_ = 0;  ///< Offset in the file.
   bool is_begun_ = false;
   bool has_footer_ = false;
-  bool is_ended_ = false;
 };
 
 }  // namespace setsquare

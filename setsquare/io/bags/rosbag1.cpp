@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::string_view kBagMagic = "#ROSBAG V";
 constexpr std::string_view kOldBagMagic = "#ROSRECORD V";  // before version 1.2
-/// A recording has a few hundred connections; a file that describes more than this is damaged.
-constexpr std::size_t kMaxConnections = 1 << 14;
 /// Longer messages are not read only to see whether another record follows: they may be jumped
 /// over.
 constexpr std::size_t kMaxCheckedRosbagBytes = 1 << 16;
@@ -73,9 +71,9 @@ bool is_rosbag1(std::string_view beginning) {
   return beginning.starts_with(kBagMagic) || beginning.starts_with(kOldBagMagic);
 }
 
-Rosbag1::Rosbag1(std::unique_ptr<InputBuffer> input, const std::string& name)
-    : input_(std::move(input)) {
-  const std::string version = read_rosbag_version(input_.next_record());
+Rosbag1::Rosbag1(std::unique_ptr<InputBuffer> bag, const std::string& name)
+    : ChunkedRecording(std::move(bag), "connection") {
+  const std::string version = read_rosbag_version(input().next_record());
   if (version.empty() || version.starts_with("2.")) return;
   throw FormatError(
       name,
@@ -85,19 +83,8 @@ Rosbag1::Rosbag1(std::unique_ptr<InputBuffer> input, const std::string& name)
                   version));
 }
 
-bool Rosbag1::read(Message& message) {
-  input_.next_record().consume(std::exchange(num_bytes_of_message_, 0));
-  while (!is_ended_) {
-    const Step step = read_record(message);
-    if (step == Step::kMessage) return true;
-    is_ended_ = step == Step::kEnd;
-    if (is_ended_) report_end();
-  }
-  return false;
-}
-
 Rosbag1::Step Rosbag1::read_record(Message& message) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   if (!bytes.ensure(1)) return Step::kEnd;
   const auto head = read_rosbag_head(bytes);
   if (!head) {
@@ -105,7 +92,12 @@ Rosbag1::Step Rosbag1::read_record(Message& message) {
   } else if (covers_other_rosbag_records(bytes, *head)) {
     resynchronise("a record's length is wrong");
   } else if (head->op == RosbagOp::kMessage) {
-    return read_message(*head, message);
+    if (leaves_chunk(head->num_bytes())) return Step::kOther;
+    return read_message({.channel = head->connection,
+                         .log_time = head->time,
+                         .num_bytes = head->num_bytes(),
+                         .num_head_bytes = head->num_head_bytes},
+                        message);
   } else if (head->op == RosbagOp::kConnection) {
     read_connection(*head);
   } else if (head->op == RosbagOp::kChunk) {
@@ -116,50 +108,17 @@ Rosbag1::Step Rosbag1::read_record(Message& message) {
       num_chunks_stated_ = head->num_chunks;
     }
     if (!head->is_known()) {
-      problems().add(input_.location(),
+      problems().add(input().location(),
                      fmt::format("a record of unknown kind {}", static_cast<int>(head->op)));
     }
     const bool is_chunk_info = head->op == RosbagOp::kChunkInfo;
-    if (pass(*head) && is_chunk_info) ++num_chunk_infos_;
+    if (pass(head->num_bytes()) && is_chunk_info) ++num_chunk_infos_;
   }
   return Step::kOther;
 }
 
-Rosbag1::Step Rosbag1::read_message(const RosbagHead& head, Message& message) {
-  ByteWindow& bytes = input_.next_record();
-  const bool is_in_plain_chunk = !input_.is_in_chunk() && bytes.offset() < end_of_plain_chunk_;
-  if (is_in_plain_chunk && bytes.offset() + head.num_bytes() > end_of_plain_chunk_) {
-    resynchronise("a message reaches beyond its chunk");
-    return Step::kOther;
-  }
-  const auto connection = topic_of_connection_.find(head.connection);
-  if (connection == topic_of_connection_.end()) {
-    problems().add(
-        input_.location(),
-        fmt::format("a message of connection {}, which is not described", head.connection));
-    pass(head);
-    return Step::kOther;
-  }
-  if (!is_wanted(connection->second)) {
-    if (pass(head)) count(connection->second);
-    return Step::kOther;
-  }
-  const auto num_bytes = static_cast<std::size_t>(head.num_bytes());
-  if (!bytes.ensure(num_bytes)) {
-    resynchronise("a message is cut short");
-    return Step::kOther;
-  }
-  count(connection->second);
-  message.topic = connection->second;
-  message.log_time = head.time;
-  message.data = bytes.available().substr(head.num_head_bytes, head.num_data_bytes);
-  message.position = input_.position();
-  num_bytes_of_message_ = num_bytes;
-  return Step::kMessage;
-}
-
 void Rosbag1::read_connection(const RosbagHead& head) {
-  ByteWindow& bytes = input_.next_record();
+  ByteWindow& bytes = input().next_record();
   const auto num_bytes = static_cast<std::size_t>(head.num_bytes());
   if (!bytes.ensure(num_bytes)) {
     resynchronise("the description of a connection is cut short");
@@ -182,25 +141,14 @@ void Rosbag1::add_connection(const RosbagHead& head, const RosbagConnection& con
   topic.name = head.topic.empty() ? connection.topic : head.topic;
   topic.type = connection.type;
   topic.encoding = MessageEncoding::kRos1;
-  const auto known = topic_of_connection_.find(head.connection);
-  if (known != topic_of_connection_.end()) {
-    if (topics()[known->second].name != topic.name) {
-      problems().add(input_.location(),
-                     fmt::format("connection {} is described again, as another", head.connection));
-    }
-    return;
-  }
-  if (topic_of_connection_.size() >= kMaxConnections) {
-    problems().add(input_.location(), "too many connections");
-    return;
-  }
+  if (!is_new_channel(head.connection, topic.name)) return;
   topic.definition = connection.definition;
-  topic_of_connection_.emplace(head.connection, add_topic(std::move(topic)));
+  add_channel_topic(head.connection, std::move(topic));
 }
 
 void Rosbag1::read_chunk(const RosbagHead& head) {
-  ByteWindow& bytes = input_.next_record();
-  if (input_.is_in_chunk()) {
+  ByteWindow& bytes = input().next_record();
+  if (input().is_in_chunk()) {
     resynchronise("a chunk inside a chunk");
     return;
   }
@@ -212,60 +160,48 @@ void Rosbag1::read_chunk(const RosbagHead& head) {
   const bool is_open = head.num_data_bytes == 0 && head.num_bytes_unpacked == 0;
   const bool is_sure = head.num_data_bytes == head.num_bytes_unpacked && !is_open;
   if (!is_open && !is_sure) {
-    problems().add(input_.location(),
+    problems().add(input().location(),
                    fmt::format("a chunk has {} bytes, not {} as stated",
                                head.num_data_bytes,
                                head.num_bytes_unpacked));
   }
   bytes.consume(head.num_head_bytes);
-  end_of_plain_chunk_ = is_sure ? bytes.offset() + head.num_data_bytes : 0;
+  set_end_of_plain_chunk(is_sure ? bytes.offset() + head.num_data_bytes : 0);
 }
 
 void Rosbag1::enter_packed_chunk(const RosbagHead& head, std::optional<Packing> packing) {
-  ByteWindow& bytes = input_.next_record();
-  const std::string location = input_.location();
+  ByteWindow& bytes = input().next_record();
+  const std::string location = input().location();
   if (!packing || head.num_data_bytes > BlockUnpacker::kMaxBlockBytes) {
     problems().add(location,
                    fmt::format("a chunk of {} bytes packed by \"{}\" cannot be read",
                                head.num_data_bytes,
                                head.compression));
-    pass(head);
+    pass(head.num_bytes());
     return;
   }
   bytes.consume(head.num_head_bytes);
   if (head.num_data_bytes > 0) {
     const std::string damage =
-        input_.enter_chunk(*packing, head.num_data_bytes, head.num_bytes_unpacked);
+        input().enter_chunk(*packing, head.num_data_bytes, head.num_bytes_unpacked);
     if (!damage.empty()) problems().add(location, "a chunk is " + damage);
   } else if (bytes.ensure(kMagicBytes) && packing_at(bytes.available()) == packing) {
     // The recorder was killed in this chunk: its sizes were never written, but its beginning was.
     // That it is cut short is no damage of its own; report_end() tells of the bag.
-    input_.enter_chunk(*packing, kMaxOpenChunkBytes, std::nullopt);
+    input().enter_chunk(*packing, kMaxOpenChunkBytes, std::nullopt);
   }
 }
 
-/// Jumps over a record; false where it is cut short.
-bool Rosbag1::pass(const RosbagHead& head) {
-  ByteWindow& bytes = input_.next_record();
-  const std::uint64_t offset = bytes.offset();
-  if (bytes.skip(head.num_bytes()) == head.num_bytes()) return true;
-  problems().add(input_.location(offset), "a record is cut short");
-  return false;
-}
-
-void Rosbag1::resynchronise(const std::string& reason) {
-  problems().add(input_.location(), reason);
-  input_.find_record(is_rosbag_record);
-}
+bool Rosbag1::is_record(ByteWindow& bytes) const { return is_rosbag_record(bytes); }
 
 void Rosbag1::report_end() {
   auto& remarks = problems().remarks;
   if (index_position_ == 0) {
     remarks.emplace_back("the bag was not closed: its recorder was stopped before it could");
-  } else if (num_chunk_infos_ < num_chunks_stated_ || input_.file().offset() < index_position_) {
+  } else if (num_chunk_infos_ < num_chunks_stated_ || input().file().offset() < index_position_) {
     remarks.emplace_back("the bag ends before its index does: it was cut short");
   }
-  const std::string damage = input_.file().source().damage();
+  const std::string damage = input().file().source().damage();
   if (!damage.empty()) remarks.push_back(damage);
 }
 

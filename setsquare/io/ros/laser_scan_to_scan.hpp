@@ -55,13 +55,14 @@ struct ScanConversion {
 };
 
 /// Makes a LaserScan (or a MultiEchoLaserScan whose echoes were chosen) into a scan in the sensor's
-/// frame; the mounting is left as it is. On a fault the scan is half filled.
+/// frame; the mounting is left as it is. The ranges are moved, and the message gets the scan's old
+/// memory for its next ones. On a fault the scan is half filled.
 ///
 /// angle_increment and the number of beams win over angle_max, which many drivers get wrong, where
 /// the beams stay within one turn; else angle_min and angle_max win where they span one turn. Of a
 /// full turn's last beam that points where the first did, the last is left out. Ranges are taken as
 /// they are: Scan::outcome judges them as REP 117 asks (-Inf too near, +Inf nothing within reach,
 /// NaN nothing known).
-[[nodiscard]] ScanConversion scan_from_laser_scan(const LaserScan& message, Scan& scan);
+[[nodiscard]] ScanConversion scan_from_laser_scan(LaserScan&& message, Scan& scan);
 
 }  // namespace setsquare::ros

@@ -76,6 +76,7 @@ Json json_from(const GyroReport& gyro) {
           {"samples", gyro.num_samples},
           {"turns", gyro.num_turns},
           {"scale", rounded(gyro.scale)},
+          {"scans_late_s", rounded(gyro.scans_late_s)},
           {"bias_deg_per_s", rounded(deg_from_rad(gyro.bias_rad_per_s))}};
 }
 

@@ -68,16 +68,12 @@ bool BagLog::read(LogRecord& record) {
       continue;
     }
     if (is_at_end_) {
-      remark_on_odometry();
+      if (!std::exchange(is_end_told_, true)) remark_at_end();
       return false;
     }
     Message message;
-    if (source_->read(message)) {
-      take(message);
-    } else {
-      is_at_end_ = true;
-      remark_at_end();
-    }
+    is_at_end_ = !source_->read(message);
+    if (!is_at_end_) take(message);
   }
 }
 
@@ -292,7 +288,7 @@ bool BagLog::complete(Pending& pending) {
     remark_on_place(pending.record.sensor, mounting.reason);
   }
   const std::string_view fault = placed_[pending.record.sensor].place(
-      pending.scan, mounting.T_target_source, pending.record.scan);
+      std::move(pending.scan), mounting.T_target_source, pending.record.scan);
   if (fault.empty()) return true;
   problems().add(fmt::format("offset {}", pending.record.position),
                  fmt::format("{}: {}", pending.record.sensor, fault));
@@ -382,6 +378,7 @@ void BagLog::remark_at_end() {
   }
   problems().num_damaged += source_->problems().num_damaged - source_->problems().first.size();
   for (const std::string& remark : source_->problems().remarks) remark_once(remark);
+  remark_on_odometry();
 }
 
 void BagLog::remark_on_odometry() {

@@ -87,8 +87,9 @@ class BagLog final : public RecordStream {
   void add_damage(const Message& message, std::string_view reason);
   void remark_once(const std::string& remark);
   void remark_on_place(const std::string& topic, const std::string& reason);
+  /// Behind the last record, also of those that had to wait.
   void remark_at_end();
-  /// Behind the last record: how many scans had to do without.
+  /// How many scans had to do without.
   void remark_on_odometry();
 
   std::unique_ptr<MessageSource> source_;
@@ -113,6 +114,7 @@ class BagLog final : public RecordStream {
   Timestamp last_log_time_;
   bool has_scan_topic_ = false;
   bool is_at_end_ = false;
+  bool is_end_told_ = false;
 };
 
 }  // namespace setsquare

@@ -8,12 +8,7 @@
 namespace setsquare {
 
 void FarRanges::add_far(double range_m) {
-  if (!std::isfinite(range_m)) return;
-  if (std::ranges::find(codes_, range_m) != codes_.end()) return;
-  if (codes_.size() < kMaxCodes) {
-    codes_.push_back(range_m);
-    return;
-  }
+  if (!std::isfinite(range_m) || codes_.is_code(range_m)) return;
   ++num_measured_;
   shortest_ = std::min(shortest_, range_m);
   longest_ = std::max(longest_, range_m);

@@ -6,7 +6,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
+
+#include "setsquare/io/logs/survey/range_codes.hpp"
 
 namespace setsquare {
 
@@ -29,11 +30,9 @@ class FarRanges {
   [[nodiscard]] double octave_of_median() const;
 
  private:
-  static constexpr std::size_t kMaxCodes = 16;
-
   void add_far(double range_m);
 
-  std::vector<double> codes_;  ///< The first values seen, at most kMaxCodes.
+  RangeCodes codes_;
   std::uint64_t num_measured_ = 0;
   double shortest_ = std::numeric_limits<double>::infinity();
   double longest_ = 0.0;
