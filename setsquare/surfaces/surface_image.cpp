@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "setsquare/core/parameter_checks.hpp"
+
 namespace setsquare {
 namespace {
 
@@ -55,6 +57,12 @@ SurfaceSector sector_of_return(const SurfacePoints& points,
 }
 
 }  // namespace
+
+void SurfaceImageParams::validate() const {
+  require_not_negative(no_return_free_m, "image.no_return_free_m");
+  require_not_negative(free_margin_m, "image.free_margin_m");
+  require_not_negative(free_margin_ratio, "image.free_margin_ratio");
+}
 
 SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const Params& params) {
   const std::uint32_t count = num_sectors(scan);

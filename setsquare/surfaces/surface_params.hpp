@@ -27,6 +27,9 @@ struct SurfaceImageParams {
   double no_return_free_m = 6.0;    ///< A beam without return proves free space up to here.
   double free_margin_m = 0.20;      ///< Nothing is called free nearer than this to a return ...
   double free_margin_ratio = 0.03;  ///< ... plus this share of the range.
+
+  /// Throws ParameterError that names the field, with "image." in front.
+  void validate() const;
 };
 
 /// How many samples stand for a scan.

@@ -201,7 +201,6 @@ void weigh(const Scan& scan, const SurfaceParams& params, SurfacePoints& points)
 
 void SurfaceParams::validate() const {
   require_positive(max_range_m, "max_range_m");
-  if (!std::isfinite(max_range_m)) throw ParameterError("max_range_m", "must be finite");
   require_positive(join_distance_m, "join_distance_m");
   require_positive(join_beam_spacings, "join_beam_spacings");
   require_positive(collinear_tolerance_m, "collinear_tolerance_m");

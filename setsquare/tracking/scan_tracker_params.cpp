@@ -104,6 +104,7 @@ void ScanTrackerParams::validate() const {
   require_positive(keyframe_distance_m, "keyframe_distance_m");
   require_positive(keyframe_turn_rad, "keyframe_turn_rad");
   surfaces.validate();
+  image.validate();
   refinement.validate();
   corridor.validate();
   recovery.validate();
