@@ -92,7 +92,7 @@ TEST(PoseGraphG2o, WritesWhatItReads) {
 TEST(PoseGraphG2o, RoundTrip) {
   auto generator = testing::make_generator();
   const PoseGraph graph = random_graph(generator);
-  const PoseGraph again = read_pose_graph_g2o(make_memory_source(g2o_from_pose_graph(graph)), "x");
+  const PoseGraph again = read(g2o_from_pose_graph(graph)).graph;
   EXPECT_EQ(again.T_map_node, graph.T_map_node);  // To the last digit.
   ASSERT_EQ(again.constraints.size(), graph.constraints.size());
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
