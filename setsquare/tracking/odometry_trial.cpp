@@ -199,9 +199,10 @@ OdometryVerdict OdometryTrial::verdict() const {
   if (is_mirrored) return OdometryVerdict::kMirrored;
   const bool is_backward = ways_.finding() == Finding::kFits && ways_.comparison().scale < 0.0;
   if (has(Finding::kUnlike) || is_backward) return OdometryVerdict::kUnlike;
-  if (!has(Finding::kFits)) return OdometryVerdict::kOpen;
   const bool is_scaled = ways_.correction() != 1.0 || turns_.correction() != 1.0;
-  return is_scaled ? OdometryVerdict::kScaled : OdometryVerdict::kBelieved;
+  if (is_scaled) return OdometryVerdict::kScaled;
+  // Turns that fit say nothing of the ways.
+  return ways_.finding() == Finding::kFits ? OdometryVerdict::kBelieved : OdometryVerdict::kOpen;
 }
 
 }  // namespace setsquare
