@@ -304,7 +304,10 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
-  if (long_steps_.are_expected()) {
+  // In a round hall keyframes agree upon any turn.
+  const bool fits_at_any_turn =
+      fit.turn.bound_share < 1.0 && fit.alignment.score() >= least_score(fit);
+  if (long_steps_.are_expected() && !fits_at_any_turn) {
     const std::vector<PlaceVote>& votes = scan.votes(prepared_);
     const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
     if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
