@@ -19,6 +19,7 @@
 #include "setsquare/grid/placed_scan.hpp"
 #include "setsquare/map/gyro_report.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
+#include "setsquare/map/odometry_report.hpp"
 #include "setsquare/map/sweep_report.hpp"
 #include "setsquare/map/track_status.hpp"
 #include "setsquare/scan/scan.hpp"
@@ -99,6 +100,7 @@ struct Map {
   std::vector<OpenStretch> open_stretches;
   std::vector<MappedScanner> scanners;  ///< As they came; none by PaperMapper.
   GyroReport gyro;                      ///< What became of its samples, if there were any.
+  OdometryReport odometry;              ///< Whether it moved as the scans show.
   SweepReport sweep;                    ///< How long the leading scanner takes for a scan.
   std::size_t num_with_odometry = 0;    ///< Scans that came with a pose by wheel odometry.
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their

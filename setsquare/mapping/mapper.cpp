@@ -20,6 +20,7 @@
 #include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/sweep_search.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
+#include "setsquare/mapping/unjudged_inputs.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 #include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/odometry_watch.hpp"
@@ -84,10 +85,10 @@ class Mapper::Parts {
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   void add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
     sweeps_.add_turn_rate(stamp, turn_rad_per_s);
-    tracker_.add_turn_rate(stamp, turn_rad_per_s);
+    turn(stamp, turn_rad_per_s);
   }
-  /// Where the sweep time was found meanwhile: what came so far mapped again by it, and the last
-  /// scan's pose. Else null, and `last` stays.
+  /// Where the sweep time was found meanwhile, or the odometry was found wrong: what came so far
+  /// mapped again by it, and the last scan's pose. Else null, and `last` stays.
   [[nodiscard]] std::unique_ptr<Parts> mapped_again(TrackedPose& last);
   [[nodiscard]] Map finish() const;
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
@@ -100,6 +101,11 @@ class Mapper::Parts {
     JoinedPieces joined;
   };
 
+  /// add_turn_rate() of a rate that the search for the sweep time has seen.
+  void turn(Timestamp stamp, double turn_rad_per_s) {
+    unjudged_.add(MapperTurnRate{stamp, turn_rad_per_s});
+    tracker_.add_turn_rate(stamp, turn_rad_per_s);
+  }
   /// add() of a scan whose sweep time has been looked for.
   TrackedPose map(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   /// The same of a scan without isolated returns and of odometry that is one.
@@ -129,6 +135,7 @@ class Mapper::Parts {
 
   MapperParams params_;
   SweepSearch sweeps_;
+  UnjudgedInputs unjudged_;
   OdometryWatch odometry_;
   ScanTracker tracker_;
   Scanners scanners_;
@@ -151,6 +158,7 @@ TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_w
 }
 
 TrackedPose Mapper::Parts::map(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+  unjudged_.add(MapperScan{scan, T_wheels_base});
   const std::optional<Scan> mended = sweeps_.mended(scan);
   const Scan& timed = mended ? *mended : scan;
   const std::optional<Scan> cleared = without_isolated_returns(timed);
@@ -158,13 +166,19 @@ TrackedPose Mapper::Parts::map(const Scan& scan, const std::optional<Pose2>& T_w
 }
 
 std::unique_ptr<Mapper::Parts> Mapper::Parts::mapped_again(TrackedPose& last) {
-  const std::vector<MapperInput> inputs = sweeps_.take_to_map_again();
+  std::vector<MapperInput> inputs = sweeps_.take_to_map_again();
+  const bool has_sweep = !inputs.empty();
+  if (!has_sweep) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
   if (inputs.empty()) return nullptr;
   auto again = std::make_unique<Parts>(params_);
   again->sweeps_ = sweeps_;
+  if (!has_sweep) {
+    again->tracker_.judge_odometry_by(tracker_.judged_odometry());
+    again->unjudged_.close();
+  }
   for (const MapperInput& input : inputs) {
     if (const auto* rate = std::get_if<MapperTurnRate>(&input)) {
-      again->tracker_.add_turn_rate(rate->stamp, rate->turn_rad_per_s);
+      again->turn(rate->stamp, rate->turn_rad_per_s);
     } else {
       const auto& [scan, T_wheels_base] = std::get<MapperScan>(input);
       last = again->map(scan, T_wheels_base);
@@ -307,6 +321,8 @@ Map Mapper::Parts::finish() const {
 void Mapper::Parts::add_sensors(Map& map) const {
   map.scanners = scanners_.results();
   map.gyro = tracker_.gyro();
+  map.odometry = tracker_.odometry();
+  map.odometry.num_ignored += odometry_.num_ignored();
   map.sweep = sweeps_.report();
   map.num_with_odometry = num_with_odometry_;
 }

@@ -48,9 +48,9 @@ class Mapper {
   /// A scan that says how long it swept (Scan::time_increment_s) is deskewed; its pose is that of
   /// the middle of its sweep. Where a scanner that spins does not say so, or says something else
   /// than the walls show, its sweep time is found from the first turns (Map::sweep), and what came
-  /// before is mapped again: poses that were returned for it were provisional.
-  /// Throws ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not
-  /// finite.
+  /// before is mapped again: poses that were returned for it were provisional. The same goes for
+  /// what came before the scans refuted the odometry (Map::odometry). Throws ParameterError where
+  /// the scan's geometry is not valid (Scan::validate) or a pose is not finite.
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
   /// A sample of a gyro: how fast the robot turns, counterclockwise seen from above. In the order

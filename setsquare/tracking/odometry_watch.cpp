@@ -16,7 +16,10 @@ std::optional<Pose2> OdometryWatch::believed(const Scan& scan,
   constexpr double kLeastUnchanged = 0.5;
   if (!T_wheels_base) return std::nullopt;
   const double distance_m = std::max(std::abs(T_wheels_base->x_m), std::abs(T_wheels_base->y_m));
-  if (!(distance_m < kFarthest_m)) return std::nullopt;
+  if (!(distance_m < kFarthest_m)) {
+    ++num_ignored_;
+    return std::nullopt;
+  }
   const bool is_at_rest = rest_ && rest_->T_wheels_base == *T_wheels_base;
   if (!is_at_rest) {
     if (!rest_) rest_.emplace();
@@ -31,7 +34,9 @@ std::optional<Pose2> OdometryWatch::believed(const Scan& scan,
     rest_->is_moved = unchanged_share(rest_->scan, scan).value_or(1.0) < kLeastUnchanged;
     has_hung_ = has_hung_ || rest_->is_moved;
   }
-  return rest_->is_moved ? std::nullopt : T_wheels_base;
+  if (!rest_->is_moved) return T_wheels_base;
+  ++num_ignored_;
+  return std::nullopt;
 }
 
 }  // namespace setsquare

@@ -23,6 +23,9 @@ class OdometryWatch {
   [[nodiscard]] std::optional<Pose2> believed(const Scan& scan,
                                               const std::optional<Pose2>& T_wheels_base);
 
+  /// Scans whose poses were no odometry.
+  [[nodiscard]] std::size_t num_ignored() const { return num_ignored_; }
+
  private:
   /// The scan with which the odometry came to rest.
   struct Rest {
@@ -34,6 +37,7 @@ class OdometryWatch {
 
   std::optional<Rest> rest_;
   bool has_hung_ = false;
+  std::size_t num_ignored_ = 0;
 };
 
 }  // namespace setsquare

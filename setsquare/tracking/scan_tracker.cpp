@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "setsquare/tracking/agreed_place.hpp"
+#include "setsquare/tracking/arrived_scan.hpp"
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
@@ -24,72 +25,12 @@ constexpr double kSameScore = 0.01;
 
 }  // namespace
 
-/// The scan that is being placed. Its image is made when it is first asked for: most scans are
-/// neither recovered nor kept.
-class ScanTracker::ArrivedScan {
- public:
-  ArrivedScan(const Scan& scan, const ScanTrackerParams& params)
-      : scan_(scan),
-        params_(params),
-        sweep_s_(params.deskew.is_on ? sweep_time_s(scan) : 0.0),
-        points_(surface_points_from_scan(scan, params.surfaces)) {}
-
-  /// As it came.
-  [[nodiscard]] const Scan& arrived() const { return scan_; }
-  /// As it is placed.
-  [[nodiscard]] const Scan& scan() const { return deskewed_ ? deskewed_->scan : scan_; }
-  /// 0 where it is not deskewed.
-  [[nodiscard]] double sweep_s() const { return sweep_s_; }
-  void deskew(const SweepMotion& motion) {
-    motion_ = motion;
-    deskewed_ = deskewed(scan_, motion, params_.surfaces);
-    points_ = surface_points_from_scan(deskewed_->scan, params_.surfaces);
-    surfaces_.reset();
-    votes_.reset();
-  }
-  /// Of the deskewed scan.
-  [[nodiscard]] PlacedSweep placed_at(const Pose2& T_odom_sensor, const SweepMotion& motion) const {
-    return {points(), deskewed_->share, T_odom_sensor, motion};
-  }
-  [[nodiscard]] const SweepMotion& motion() const { return motion_; }
-  [[nodiscard]] std::optional<Scan> take_deskewed() {
-    return deskewed_ ? std::optional<Scan>(std::move(deskewed_->scan)) : std::nullopt;
-  }
-
-  [[nodiscard]] std::size_t num_points() const { return points().size(); }
-  [[nodiscard]] SurfaceSamples all_points() const {
-    return sample_surface(points(), points().size());
-  }
-  [[nodiscard]] const ScanSurfacesPtr& surfaces() {
-    if (!surfaces_) surfaces_ = scan_surfaces(scan(), std::move(points_), params_.image);
-    return surfaces_;
-  }
-  /// Of the submap's keyframes: found once, however often they are asked for.
-  [[nodiscard]] const std::vector<PlaceVote>& votes(PreparedKeyframes& keyframes) {
-    if (!votes_) votes_ = place_votes(keyframes, prepare(surfaces()), params_.votes);
-    return *votes_;
-  }
-
- private:
-  [[nodiscard]] const SurfacePoints& points() const {
-    return surfaces_ ? surfaces_->points : points_;
-  }
-
-  const Scan& scan_;
-  const ScanTrackerParams& params_;
-  double sweep_s_ = 0.0;
-  SweepMotion motion_;
-  std::optional<DeskewedScan> deskewed_;
-  SurfacePoints points_;  ///< Until they are part of the surfaces.
-  ScanSurfacesPtr surfaces_;
-  std::optional<std::vector<PlaceVote>> votes_;
-};
-
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
     : params_(params),
       motion_(params.num_scans_averaged),
       gap_(params.gap),
       gyro_(params.gyro),
+      odometry_(params.odometry),
       long_steps_(params.long_steps) {
   params_.validate();
 }
@@ -98,43 +39,108 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   ArrivedScan arrived(scan, params_);
   if (num_scans_ == 0) T_base_body_ = scan.T_base_sensor;
   const BodyMounting mounting(T_base_body_, scan.T_base_sensor);
-  const std::optional<Pose2> T_wheels_body = body_by_wheels(T_wheels_base);
-  const Pose2 predicted = mounting.sensor_of(expected_body(scan, T_wheels_base));
-  const bool has_odometry = motion_.has_odometry(T_wheels_body);
-  const bool is_behind_gap = gap_.add(scan) && !has_odometry;
-  const bool is_repeated = repeated_.add(scan, T_wheels_base);
-  const Situation situation =
-      is_repeated ? Situation::kSeesNothingNew : situation_of(arrived.num_points(), is_behind_gap);
-  TrackedPose tracked = [&]() -> TrackedPose {
-    switch (situation) {
-      case Situation::kSeesTooLittle:
-      case Situation::kSeesNothingNew:
-        return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = {}};
-      case Situation::kNoSubmap:
-        return {.T_odom_sensor = predicted, .open = {}};
-      case Situation::kExpected:
-        return place_swept(arrived, predicted, has_odometry);
-      case Situation::kAnywhere:
-        return place_anywhere(arrived, predicted);
-    }
-    return {};
-  }();
+  const bool is_gap = gap_.add(scan);
+  const bool is_at_rest = odometry_.is_at_rest(T_wheels_base);
+  const std::optional<Pose2> T_believed_base = odometry_.believed(T_wheels_base, scan.stamp);
+  Expectation expected = expectation_of(arrived, T_believed_base, is_gap);
+  if (repeated_.add(scan, T_believed_base)) expected.situation = Situation::kSeesNothingNew;
+  TrackedPose tracked = place(arrived, expected);
+  if (expected.has_odometry && is_poor(tracked) && is_evidence(expected.situation)) {
+    tracked = place_without_odometry(arrived, is_gap, is_at_rest, tracked, expected);
+  }
+  const Situation situation = expected.situation;
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
-  tracked.has_odometry = has_odometry;
+  tracked.has_odometry = expected.has_odometry;
   tracked.is_long_step = long_steps_.are_usual();
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
   if (tracked.is_restart) start_anew();
+  // What was seen before would be seen again: the robot was carried.
+  if (tracked.is_restart && is_at_rest) tracked.has_odometry = false;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
   sweep_motion_ = arrived.motion();
   deskewed_scan_ = arrived.take_deskewed();
-  motion_.add(tracked.T_odom_body, T_wheels_body, {scan.scanner, scan.stamp});
+  motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
   if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
   add_step(tracked, situation);
   compare_gyro(scan, tracked);
+  compare_odometry(scan, tracked, situation, T_wheels_base);
   ++num_scans_;
   return tracked;
+}
+
+ScanTracker::Expectation ScanTracker::expectation_of(const ArrivedScan& scan,
+                                                     const std::optional<Pose2>& T_believed_base,
+                                                     bool is_gap) const {
+  const Scan& arrived = scan.arrived();
+  const bool has_odometry = motion_.has_odometry(body_by_wheels(T_believed_base));
+  return {.situation = situation_of(scan.num_points(), is_gap && !has_odometry),
+          .T_odom_sensor = BodyMounting(T_base_body_, arrived.T_base_sensor)
+                               .sensor_of(expected_body(arrived, T_believed_base)),
+          .has_odometry = has_odometry};
+}
+
+TrackedPose ScanTracker::place(ArrivedScan& scan, const Expectation& expected) {
+  const Pose2& predicted = expected.T_odom_sensor;
+  switch (expected.situation) {
+    case Situation::kSeesTooLittle:
+    case Situation::kSeesNothingNew:
+      return {.status = TrackStatus::kLost, .T_odom_sensor = predicted, .score = 0.0, .open = {}};
+    case Situation::kNoSubmap:
+      return {.T_odom_sensor = predicted, .open = {}};
+    case Situation::kExpected:
+      return place_swept(scan, predicted, expected.has_odometry);
+    case Situation::kAnywhere:
+      return place_anywhere(scan, predicted);
+  }
+  return {};
+}
+
+bool ScanTracker::is_poor(const TrackedPose& tracked) const {
+  const RecoveryParams& recovery = params_.recovery;
+  const bool is_open = tracked.status == TrackStatus::kDegenerate;
+  return tracked.status == TrackStatus::kLost || tracked.status == TrackStatus::kRecovered ||
+         tracked.score < (is_open ? recovery.below_score_if_open : recovery.below_score);
+}
+
+TrackedPose ScanTracker::place_without_odometry(ArrivedScan& scan,
+                                                bool is_gap,
+                                                bool is_at_rest,
+                                                const TrackedPose& tracked,
+                                                Expectation& expected) {
+  const bool is_on = params_.odometry.is_on && (!is_gap || is_at_rest);
+  if (!is_on || expected.situation != Situation::kExpected) return tracked;
+  const SweepMotion motion = scan.motion();
+  const Expectation other = expectation_of(scan, std::nullopt, is_gap);
+  const TrackedPose without = place(scan, other);
+  const bool is_same = tracked.status == TrackStatus::kRecovered && !is_poor(without) &&
+                       is_same_place(without.T_odom_sensor, tracked.T_odom_sensor, params_.votes);
+  const bool is_better = without.status != TrackStatus::kLost &&
+                         without.score > tracked.score + params_.recovery.min_gain;
+  if (is_gap || is_same || is_better) {
+    expected = other;
+    return without;
+  }
+  if (scan.sweep_s() != 0.0) scan.deskew(motion);
+  return tracked;
+}
+
+void ScanTracker::compare_odometry(const Scan& scan,
+                                   const TrackedPose& tracked,
+                                   Situation situation,
+                                   const std::optional<Pose2>& T_wheels_base) {
+  const OdometryTrialParams& params = params_.odometry;
+  const bool is_certain = situation == Situation::kExpected &&
+                          tracked.status == TrackStatus::kTracked &&
+                          tracked.score >= params.min_score &&
+                          tracked.open.effective_points >= params.min_effective_points;
+  odometry_.add(T_wheels_base,
+                {.stamp = scan.stamp,
+                 .T_odom_base = tracked.T_odom_body * T_base_body_.inverse(),
+                 .is_placed = tracked.status != TrackStatus::kLost || tracked.is_restart,
+                 .is_restart = tracked.is_restart,
+                 .is_certain = is_certain});
 }
 
 bool ScanTracker::is_evidence(Situation situation) {
@@ -153,19 +159,20 @@ std::optional<MountingSighting> ScanTracker::sight(const Scan& scan,
 
 TrackedPose ScanTracker::expected(const Scan& scan,
                                   const std::optional<Pose2>& T_wheels_base) const {
+  const std::optional<Pose2> T_believed_base = odometry_.believed(T_wheels_base, scan.stamp);
   TrackedPose expected;
   expected.is_mapped = false;
-  expected.has_odometry = motion_.has_odometry(body_by_wheels(T_wheels_base));
-  expected.T_odom_body = expected_body(scan, T_wheels_base);
+  expected.has_odometry = motion_.has_odometry(body_by_wheels(T_believed_base));
+  expected.T_odom_body = expected_body(scan, T_believed_base);
   expected.T_odom_sensor =
       BodyMounting(T_base_body_, scan.T_base_sensor).sensor_of(expected.T_odom_body);
   return expected;
 }
 
 Pose2 ScanTracker::expected_body(const Scan& scan,
-                                 const std::optional<Pose2>& T_wheels_base) const {
+                                 const std::optional<Pose2>& T_believed_base) const {
   if (num_scans_ == 0) return {};
-  return motion_.next(body_by_wheels(T_wheels_base),
+  return motion_.next(body_by_wheels(T_believed_base),
                       {scan.scanner, scan.stamp},
                       gyro_.turn_rad(last_.stamp, scan.stamp));
 }
@@ -189,9 +196,10 @@ void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   last_ = now;
 }
 
-std::optional<Pose2> ScanTracker::body_by_wheels(const std::optional<Pose2>& T_wheels_base) const {
-  if (!T_wheels_base) return std::nullopt;
-  return *T_wheels_base * T_base_body_;
+std::optional<Pose2> ScanTracker::body_by_wheels(
+    const std::optional<Pose2>& T_believed_base) const {
+  if (!T_believed_base) return std::nullopt;
+  return *T_believed_base * T_base_body_;
 }
 
 ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is_behind_gap) const {
@@ -296,7 +304,10 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       has_odometry ? params_.trust_in_odometry : params_.trust_in_last_motion;
   const TrackingProblem problem{submap_images_, points, predicted, trust, marks_};
   SubmapFit fit = refine_in_submap(problem, start, params_.refinement);
-  if (long_steps_.are_expected()) {
+  // In a round hall keyframes agree upon any turn.
+  const bool fits_at_any_turn =
+      fit.turn.bound_share < 1.0 && fit.alignment.score() >= least_score(fit);
+  if (long_steps_.are_expected() && !fits_at_any_turn) {
     const std::vector<PlaceVote>& votes = scan.votes(prepared_);
     const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
     if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
@@ -361,11 +372,7 @@ TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
       problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
   SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
   if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
-  return {.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
-          .T_odom_sensor = fit.T_odom_sensor,
-          .score = fit.alignment.score(),
-          .open = fit.open,
-          .open_bound_share = params_.refinement.bound_share(fit.open.effective_points)};
+  return answer_from(fit);
 }
 
 std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem& problem,
@@ -406,13 +413,24 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
   if (fit.open.effective_points < params_.corridor.below_effective_points) {
     fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
   }
-  const TrackStatus if_not_recovered =
-      is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked;
-  return {.status = is_recovered ? TrackStatus::kRecovered : if_not_recovered,
-          .T_odom_sensor = fit.T_odom_sensor,
-          .score = fit.alignment.score(),
-          .open = fit.open,
-          .open_bound_share = params_.refinement.bound_share(fit.open.effective_points)};
+  TrackedPose tracked = answer_from(fit);
+  if (is_recovered) tracked.status = TrackStatus::kRecovered;
+  return tracked;
+}
+
+TrackedPose ScanTracker::answer_from(const SubmapFit& fit) const {
+  TrackedPose tracked{.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
+                      .T_odom_sensor = fit.T_odom_sensor,
+                      .score = fit.alignment.score(),
+                      .open = fit.open,
+                      .open_bound_share = params_.refinement.bound_share(fit.open.effective_points),
+                      .turn_bound_share = fit.turn.bound_share};
+  const double lever_m = fit.turn.motion_m.norm();
+  if (fit.turn.bound_share < 1.0 && lever_m > 0.0) {
+    tracked.open.direction = fit.turn.motion_m / lever_m;
+    tracked.open_bound_share = fit.turn.bound_share;
+  }
+  return tracked;
 }
 
 double ScanTracker::least_score(const SubmapFit& fit) const {
@@ -420,7 +438,8 @@ double ScanTracker::least_score(const SubmapFit& fit) const {
 }
 
 bool ScanTracker::is_open(const SubmapFit& fit) const {
-  return fit.open.effective_points < params_.refinement.min_effective_points;
+  return fit.open.effective_points < params_.refinement.min_effective_points ||
+         fit.turn.bound_share < 1.0;
 }
 
 void ScanTracker::count_lost(TrackStatus status, Situation situation) {

@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
@@ -13,6 +14,7 @@
 #include "setsquare/tracking/keyframe.hpp"
 #include "setsquare/tracking/long_steps.hpp"
 #include "setsquare/tracking/motion_prediction.hpp"
+#include "setsquare/tracking/odometry_trial.hpp"
 #include "setsquare/tracking/prepared_keyframes.hpp"
 #include "setsquare/tracking/repeated_scan.hpp"
 #include "setsquare/tracking/scan_gap.hpp"
@@ -22,11 +24,16 @@
 
 namespace setsquare {
 
+class ArrivedScan;
+
 /// Places scan after scan against a submap of the latest keyframes. The scans may come from several
 /// scanners (Scan::scanner) in the order of time: each is expected where the last one, of whichever
 /// scanner, left the robot's body (BodyMounting).
 ///
-/// 1. Predict: from the odometry if there is any, else from the last motion and the gyro.
+/// 1. Predict: from the odometry if there is any that has not been refuted (OdometryTrial), else
+/// from
+///    the last motion and the gyro. A scan that fits poorly where the odometry has it is placed as
+///    if there were none, too.
 /// 2. Refine: Gauss-Newton, point to line, against the surfaces of every keyframe of the submap.
 /// 3. Where steps from scan to scan are long (LongSteps): the place that several keyframes, matched
 ///    with the scan without a guess, agree upon (agreed_place).
@@ -51,6 +58,11 @@ class ScanTracker {
   /// A sample of a gyro about the robot's vertical axis, in the order of time with the scans.
   void add_turn_rate(Timestamp stamp, double turn_rad_per_s) { gyro_.add(stamp, turn_rad_per_s); }
   [[nodiscard]] const GyroReport& gyro() const { return gyro_.report(); }
+  [[nodiscard]] const OdometryReport& odometry() const { return odometry_.report(); }
+
+  /// What the odometry was found to be, and the same for a tracker that begins with it.
+  [[nodiscard]] OdometryTrial judged_odometry() const { return odometry_.judged(); }
+  void judge_odometry_by(OdometryTrial judged) { odometry_ = std::move(judged); }
 
   /// Where a scan fits the submap, for a scanner whose mounting is not believed. Tracking goes on
   /// as if the scan had not come. Nothing where it fits nowhere, or there is no submap.
@@ -81,15 +93,34 @@ class ScanTracker {
     kExpected,        ///< Near the predicted pose, but for a slip of tracking.
     kAnywhere,        ///< A gap in the log, and no odometry: it may be anywhere.
   };
-  class ArrivedScan;
+  /// What is expected of a scan.
+  struct Expectation {
+    Situation situation;
+    Pose2 T_odom_sensor;
+    bool has_odometry = false;  ///< Which predicted the pose.
+  };
 
   /// Whether a scan speaks for or against the submap.
   [[nodiscard]] static bool is_evidence(Situation situation);
 
   [[nodiscard]] Pose2 expected_body(const Scan& scan,
-                                    const std::optional<Pose2>& T_wheels_base) const;
+                                    const std::optional<Pose2>& T_believed_base) const;
   [[nodiscard]] std::optional<Pose2> body_by_wheels(
-      const std::optional<Pose2>& T_wheels_base) const;
+      const std::optional<Pose2>& T_believed_base) const;
+  [[nodiscard]] Expectation expectation_of(const ArrivedScan& scan,
+                                           const std::optional<Pose2>& T_believed_base,
+                                           bool is_gap) const;
+  TrackedPose place(ArrivedScan& scan, const Expectation& expected);
+  /// Whether a scan does not fit where the odometry has it.
+  [[nodiscard]] bool is_poor(const TrackedPose& tracked) const;
+  /// The scan, `tracked` by odometry where it fits poorly, as if there were none, and what is
+  /// expected then; as it is where that is no better. Behind a gap in the log odometry that stood
+  /// still bridges nothing: what was seen before it would be seen again.
+  TrackedPose place_without_odometry(ArrivedScan& scan,
+                                     bool is_gap,
+                                     bool is_at_rest,
+                                     const TrackedPose& tracked,
+                                     Expectation& expected);
   [[nodiscard]] Situation situation_of(std::size_t num_points, bool is_behind_gap) const;
   /// As the scan is, from a place near the predicted one.
   TrackedPose place_expected(ArrivedScan& scan,
@@ -141,8 +172,10 @@ class ScanTracker {
   /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
   /// a direction open and do not, the place is wrong.
   [[nodiscard]] double least_score(const SubmapFit& fit) const;
-  /// Whether a direction is open.
+  /// Whether a direction is open, or a turn.
   [[nodiscard]] bool is_open(const SubmapFit& fit) const;
+  /// A fit as an answer that has not been judged.
+  [[nodiscard]] TrackedPose answer_from(const SubmapFit& fit) const;
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
   /// the submap.
   void count_lost(TrackStatus status, Situation situation);
@@ -153,6 +186,10 @@ class ScanTracker {
   void add_step(const TrackedPose& tracked, Situation situation);
   /// Compares the gyro with the turn from the last scan to this one, where both were tracked.
   void compare_gyro(const Scan& scan, const TrackedPose& tracked);
+  void compare_odometry(const Scan& scan,
+                        const TrackedPose& tracked,
+                        Situation situation,
+                        const std::optional<Pose2>& T_wheels_base);
   [[nodiscard]] bool is_to_be_kept(const Scan& scan, const TrackedPose& tracked) const;
   void keep(const Scan& scan, ScanSurfacesPtr surfaces, const TrackedPose& tracked);
 
@@ -161,6 +198,7 @@ class ScanTracker {
   ScanGap gap_;
   RepeatedScan repeated_;
   Gyro gyro_;
+  OdometryTrial odometry_;
   Pose2 T_base_body_;
   std::vector<KeyframePtr> submap_;
   std::vector<PlacedImage> submap_images_;  ///< Of the same keyframes.

@@ -31,6 +31,7 @@ void SubmapRefinementParams::validate() const {
   require_positive(converged_m, "refinement.converged_m");
   require_positive(converged_rad, "refinement.converged_rad");
   require_positive(max_step_m, "refinement.max_step_m");
+  turn.validate();
   require_not_negative(chance_points, "refinement.chance_points");
   require_finite(min_effective_points, "refinement.min_effective_points");
   if (!(min_effective_points > chance_points)) {
@@ -112,6 +113,7 @@ void ScanTrackerParams::validate() const {
   votes.validate();
   gap.validate();
   gyro.validate();
+  odometry.validate();
   deskew.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");

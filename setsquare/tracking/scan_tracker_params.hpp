@@ -44,6 +44,28 @@ struct GyroParams {
   void validate() const;
 };
 
+/// Parameters of OdometryTrial.
+struct OdometryTrialParams {
+  bool is_on = true;
+  double stretch_m = 0.3;                   ///< A stretch is compared once it is as long as this,
+  double stretch_rad = rad_from_deg(10.0);  ///< or turns by this.
+  double min_way_m = 0.15;                  ///< Shorter ways ...
+  double min_turn_rad = rad_from_deg(5.0);  ///< ... and smaller turns say nothing.
+  double min_score = 0.6;                   ///< Of scans that are certain, ...
+  double min_effective_points = 10.0;       ///< ... in their least certain direction.
+  std::size_t num_stretches = 20;           ///< The latest, by which it is judged, ...
+  std::size_t min_stretches = 5;            ///< ... from this many on.
+  double still_share = 0.1;                 ///< Of the motion: less is standing still.
+  double max_deviation = 0.35;              ///< Median, as a share of the motion.
+  double usual_scale = 1.1;                 ///< A scale off by less is not mended.
+  double largest_scale = 2000.0;            ///< One off by more is none.
+  double wheels_at_rest_m = 0.6;            ///< Where the wheels moved by less than this ...
+  double wheels_at_rest_rad = rad_from_deg(30.0);  ///< ... and this, what was seen is seen again.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// How far a prediction is trusted along a direction that the walls leave free.
 struct PredictionTrust {
   double weight = 2.0;    ///< Of each effective point that is missing.
@@ -52,6 +74,16 @@ struct PredictionTrust {
 
   /// Throws ParameterError that names the field. `name`: of this trust among others.
   void validate(const std::string& name) const;
+};
+
+/// Parameters of open_turn: for halls whose walls all face one point.
+struct OpenTurnParams {
+  double min_score = 0.7;   ///< Of scans where it is looked for: they fit there.
+  double noise_rad = 0.1;   ///< Normals that are off by this (sigma) bind a turn by chance; ...
+  double bound_rad = 0.14;  ///< ... a turn that is bound as if by this is bound.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Parameters of the Gauss-Newton refinement against the submap.
@@ -64,6 +96,7 @@ struct SubmapRefinementParams {
   double max_step_m = 0.3;
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
+  OpenTurnParams turn;
   double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
   /// How far the walls bind a direction: 0 by chance alone, 1 by min_effective_points or more.
@@ -186,6 +219,7 @@ struct ScanTrackerParams {
   PlaceVoteParams votes;
   ScanGapParams gap;
   GyroParams gyro;
+  OdometryTrialParams odometry;
   DeskewParams deskew;
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};

@@ -113,6 +113,8 @@ void count_marks(const PointMarks& marks, SubmapAlignment& alignment) {
 
 }  // namespace
 
+bool is_explained(std::int32_t mark) { return (mark & kExplained) != 0; }
+
 void AlignmentScale::validate(const std::string& owner) const {
   require_positive(gate_m, owner + ".gate_m");
   require_positive(scale_m, owner + ".scale_m");

@@ -35,6 +35,9 @@ struct SubmapAlignment {
 /// Reused between calls; holds what each point met.
 using PointMarks = std::vector<std::int32_t>;
 
+/// Whether a point met a surface of some image within 0.1 m.
+[[nodiscard]] bool is_explained(std::int32_t mark);
+
 /// Compares the points, each with the line that each image shows in its direction. Weights of the
 /// samples have no part: every point counts the same.
 [[nodiscard]] SubmapAlignment align_with_submap(std::span<const PlacedImage> submap,

@@ -24,6 +24,23 @@ Eigen::Matrix3d without_chance(const OpenDirection& open, const SubmapRefinement
   return kept;
 }
 
+/// Takes out what binds the turn by chance, and puts the prediction in its place.
+void turn_as_predicted(const SubmapFit& fit,
+                       const TrackingProblem& problem,
+                       NormalEquations<3>& walls,
+                       NormalEquations<3>& prediction) {
+  const OpenTurn& turn = fit.turn;
+  const double open_share = 1.0 - turn.bound_share;
+  const Eigen::Vector3d motion(turn.motion_m.x(), turn.motion_m.y(), 1.0);
+  walls.hessian(2, 2) -= open_share * turn.information_m2;
+  walls.gradient.z() -= open_share * motion.dot(walls.gradient);
+  const double weight = open_share * problem.trust.weight * fit.alignment.hessian(2, 2);
+  const double off_rad =
+      wrap_to_pi(fit.T_odom_sensor.theta_rad - problem.T_odom_predicted.theta_rad);
+  prediction.hessian(2, 2) += weight;
+  prediction.gradient.z() += weight * off_rad;
+}
+
 /// The Gauss-Newton step, with the prediction along the open direction.
 Eigen::Vector3d step_from(const SubmapFit& fit,
                           const TrackingProblem& problem,
@@ -39,10 +56,9 @@ Eigen::Vector3d step_from(const SubmapFit& fit,
     prediction.hessian.topLeftCorner<2, 2>() = weight * u * u.transpose();
     prediction.gradient.head<2>() = weight * u.dot(off) * u;
   }
-  Eigen::Vector3d step =
-      damped_step({kept * fit.alignment.hessian * kept, kept * fit.alignment.gradient},
-                  kStepDamping,
-                  prediction);
+  NormalEquations<3> walls{kept * fit.alignment.hessian * kept, kept * fit.alignment.gradient};
+  if (fit.turn.bound_share < 1.0) turn_as_predicted(fit, problem, walls, prediction);
+  Eigen::Vector3d step = damped_step(walls, kStepDamping, prediction);
   const double length_m = step.head<2>().norm();
   if (length_m > params.max_step_m) step.head<2>() *= params.max_step_m / length_m;
   return step;
@@ -50,6 +66,32 @@ Eigen::Vector3d step_from(const SubmapFit& fit,
 
 Pose2 moved(const Pose2& T, const Eigen::Vector2d& direction, double by_m) {
   return {T.x_m + by_m * direction.x(), T.y_m + by_m * direction.y(), T.theta_rad};
+}
+
+/// The iteration; the walls bind the turn by this share.
+SubmapFit refine(const TrackingProblem& problem,
+                 const Pose2& start,
+                 const SubmapRefinementParams& params,
+                 double turn_bound_share) {
+  SubmapFit fit{.T_odom_sensor = start, .alignment = {}, .open = {}, .turn = {}};
+  Pose2 T = start;
+  for (int iteration = 0; iteration < params.max_iterations; ++iteration) {
+    const AlignmentScale& scale = iteration == 0 ? params.first_step : params.later_steps;
+    fit.T_odom_sensor = T;
+    fit.alignment = align_with_submap(problem.submap, problem.points, T, scale, problem.marks);
+    fit.open = open_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
+    if (turn_bound_share < 1.0) {
+      fit.turn = least_bound_turn(fit.alignment.hessian);
+      fit.turn.bound_share = turn_bound_share;
+    }
+    const Eigen::Vector3d step = step_from(fit, problem, params);
+    T = stepped(T, step);
+    if (step.head<2>().norm() < params.converged_m && std::abs(step.z()) < params.converged_rad) {
+      break;
+    }
+  }
+  fit.T_odom_sensor = T;
+  return fit;
 }
 
 /// Closeness less what the motion costs.
@@ -81,20 +123,11 @@ class CorridorScore {
 SubmapFit refine_in_submap(const TrackingProblem& problem,
                            const Pose2& start,
                            const SubmapRefinementParams& params) {
-  SubmapFit fit{.T_odom_sensor = start, .alignment = {}, .open = {}};
-  Pose2 T = start;
-  for (int iteration = 0; iteration < params.max_iterations; ++iteration) {
-    const AlignmentScale& scale = iteration == 0 ? params.first_step : params.later_steps;
-    fit.T_odom_sensor = T;
-    fit.alignment = align_with_submap(problem.submap, problem.points, T, scale, problem.marks);
-    fit.open = open_direction(fit.alignment.hessian.topLeftCorner<2, 2>());
-    const Eigen::Vector3d step = step_from(fit, problem, params);
-    T = stepped(T, step);
-    if (step.head<2>().norm() < params.converged_m && std::abs(step.z()) < params.converged_rad) {
-      break;
-    }
-  }
-  fit.T_odom_sensor = T;
+  SubmapFit fit = refine(problem, start, params, 1.0);
+  if (fit.open.effective_points < params.min_effective_points) return fit;
+  const OpenTurn turn = open_turn(
+      fit.alignment, problem.points, problem.marks, fit.T_odom_sensor.theta_rad, params.turn);
+  if (turn.bound_share < 1.0) fit = refine(problem, start, params, turn.bound_share);
   return fit;
 }
 

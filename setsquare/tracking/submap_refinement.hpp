@@ -5,6 +5,7 @@
 #include <span>
 
 #include "setsquare/tracking/open_direction.hpp"
+#include "setsquare/tracking/open_turn.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 #include "setsquare/tracking/submap_alignment.hpp"
 
@@ -23,11 +24,12 @@ struct SubmapFit {
   Pose2 T_odom_sensor;
   SubmapAlignment alignment;  ///< Where the last step began; without the prediction's share.
   OpenDirection open;         ///< Of that alignment, in the odom frame.
+  OpenTurn turn;              ///< The same; bound where a direction is open.
 };
 
 /// Gauss-Newton, point to line, from `start`: wide gate first, narrow gate after. Where fewer than
 /// min_effective_points bind the position along some direction, the prediction makes up for the
-/// missing ones, along that direction only.
+/// missing ones, along that direction only. Where only noise binds a turn, it is the prediction's.
 [[nodiscard]] SubmapFit refine_in_submap(const TrackingProblem& problem,
                                          const Pose2& start,
                                          const SubmapRefinementParams& params);

@@ -28,6 +28,7 @@ struct TrackedPose {
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.
   double open_bound_share = 1.0;  ///< How far the walls bind it (SubmapRefinementParams).
+  double turn_bound_share = 1.0;  ///< The same of its turn (OpenTurnParams).
   /// Spread of the motion along the open direction where nothing tells it: the robot may have gone
   /// as far as it does between scans. 0 where the last motion does.
   double open_sigma_m = 0.0;

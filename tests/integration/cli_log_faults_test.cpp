@@ -122,6 +122,8 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"hokuyo-error-codes", "", "error codes", 0.1},
         Case{"isolated-short-returns", "", "stand alone", 0.05},
         Case{"odometry-all-zero", "", "try --no-odometry", 0.2},
+        Case{"robot-carried", "", "nothing found", 0.3},
+        Case{"round-hall-with-odometry", "", "nothing found", 0.1},
         Case{"same-scan-repeated", "", "repeat the one before", 0.2},
         Case{"scans-mirrored-against-odometry", "--mirror-scans", "Try --mirror-scans", 0.05}),
     [](const auto& instance) {

@@ -145,8 +145,9 @@ TEST(MapperPieces, WithoutOverlapAPieceIsReportedAsNotJoined) {
 
 TEST(MapperPieces, OdometryTiesThem) {
   LogWithHoles log = carried_elsewhere();
-  // Driven without scans, but with odometry, to a room 30 m away.
+  // Driven without scans, but with odometry, to a room 30 m away, in a minute.
   for (std::size_t i = log.begins[1]; i < log.truth.size(); ++i) {
+    log.scans[i].stamp.ns += 60'000'000'000;
     log.truth[i] = Pose2{30.0, 5.0, 0.0} * log.truth[i];
   }
   const Map track = map_of(log, {}, true);
@@ -158,6 +159,43 @@ TEST(MapperPieces, OdometryTiesThem) {
                          PoseTolerance{.translation_m = 0.15, .rotation_rad = rad_from_deg(0.7)}))
         << i;
   }
+}
+
+/// The wheels do not know that the robot was carried: they go on where they were.
+std::vector<Pose2> unaware_wheels(const LogWithHoles& log) {
+  std::vector<Pose2> wheels{log.truth[0]};
+  for (std::size_t i = 1; i < log.truth.size(); ++i) {
+    const bool is_hole = std::ranges::find(log.begins, i) != log.begins.end();
+    wheels.push_back(is_hole ? wheels.back()
+                             : wheels.back() * between(log.truth[i - 1], log.truth[i]));
+  }
+  return wheels;
+}
+
+Map map_of_carried(const LogWithHoles& log, const MapperParams& params) {
+  const std::vector<Pose2> wheels = unaware_wheels(log);
+  Mapper mapper(params);
+  for (std::size_t i = 0; i < log.scans.size(); ++i) mapper.add(log.scans[i], wheels[i]);
+  return mapper.finish();
+}
+
+TEST(MapperPieces, OdometryThatStoodStillTiesNothing) {
+  const Map elsewhere = map_of_carried(carried_elsewhere(), {});
+  EXPECT_EQ(elsewhere.pieces.size(), 2U);
+  EXPECT_EQ(elsewhere.odometry.num_carried, 1U);
+  const LogWithHoles log = carried_away_and_back();
+  const Map back = map_of_carried(log, {});
+  ASSERT_EQ(back.pieces.size(), 3U);
+  EXPECT_FALSE(back.pieces[1].is_joined);
+  EXPECT_TRUE(back.pieces[2].is_joined);
+  expect_true_poses(back, log, 0, back.pieces[2].first_scan, log.scans.size());
+}
+
+/// The rule switched off: wheels never stand still.
+TEST(MapperPieces, OdometryThatStoodStillTiesWronglyWhereItIsBelieved) {
+  MapperParams params;
+  params.tracker.odometry.wheels_at_rest_m = 0.0;
+  EXPECT_LT(map_of_carried(carried_elsewhere(), params).pieces.size(), 2U);
 }
 
 TEST(MapperPieces, OdometryThatBeginsBehindTheHoleTiesNothing) {

@@ -115,6 +115,9 @@ void map_log(MapOptions options) {
   for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
     std::cout << sentence << "\n";
   }
+  if (run.map.num_with_odometry > 0 || run.map.odometry.num_ignored > 0) {
+    std::cout << sentence_on(run.map.odometry) << "\n";
+  }
   if (run.map.gyro.num_samples > 0) std::cout << sentence_on(run.map.gyro) << "\n";
   if (const std::string on_sweep = sentence_on(run.map.sweep); !on_sweep.empty()) {
     std::cout << on_sweep << "\n";

@@ -90,6 +90,31 @@ std::string sentence_on(const MappedScanner& scanner,
   return {};
 }
 
+/// What became of odometry.
+std::string text_of_verdict(const OdometryReport& odometry) {
+  switch (odometry.verdict) {
+    case OdometryVerdict::kOpen:
+      return "not compared with the scans, which did not show enough motion";
+    case OdometryVerdict::kBelieved:
+      return fmt::format("moves as the scans do (ways by {:.2f}, turns by {:.2f})",
+                         odometry.way.scale,
+                         odometry.turn.scale);
+    case OdometryVerdict::kScaled:
+      return fmt::format(
+          "its ways are multiplied by {:.3g}, its turns by {:.3g}, as the scans show",
+          odometry.way.scale,
+          odometry.turn.scale);
+    case OdometryVerdict::kStill:
+      return "ignored, it does not move while the scans do";
+    case OdometryVerdict::kMirrored:
+      return "ignored, it turns against the scans: is the scanner mounted upside down? "
+             "(--mirror-scans)";
+    case OdometryVerdict::kUnlike:
+      return "ignored, it does not move as the scans show";
+  }
+  return {};
+}
+
 }  // namespace
 
 bool names_several(const std::string& sensor) {
@@ -161,6 +186,26 @@ std::string sentence_on(const GyroReport& gyro) {
       return "gyro: ignored, it does not turn as the scans show";
   }
   return {};
+}
+
+std::string sentence_on(const OdometryReport& odometry) {
+  std::string text = "odometry: " + text_of_verdict(odometry);
+  const bool is_ignored_at_end = odometry.verdict == OdometryVerdict::kStill ||
+                                 odometry.verdict == OdometryVerdict::kMirrored ||
+                                 odometry.verdict == OdometryVerdict::kUnlike;
+  if (odometry.num_ignored > 0) {
+    text += fmt::format(
+        "{} {} scans", is_ignored_at_end ? ", in" : "; ignored in", odometry.num_ignored);
+  }
+  if (odometry.num_jumps > 0) {
+    text += fmt::format(", {} of them after a step that no robot makes", odometry.num_jumps);
+  }
+  if (odometry.num_carried > 0) {
+    text += fmt::format(
+        "; {} times the scans changed while the wheels stood still: was the robot carried?",
+        odometry.num_carried);
+  }
+  return text;
 }
 
 std::string sentence_on(const SweepReport& sweep) {

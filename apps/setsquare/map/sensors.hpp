@@ -9,6 +9,7 @@
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/map/gyro_report.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
+#include "setsquare/map/odometry_report.hpp"
 #include "setsquare/map/sweep_report.hpp"
 
 namespace setsquare::app {
@@ -50,6 +51,9 @@ class ChosenScans {
 
 /// The same of a gyro that the log holds.
 [[nodiscard]] std::string sentence_on(const GyroReport& gyro);
+
+/// The same of the odometry.
+[[nodiscard]] std::string sentence_on(const OdometryReport& odometry);
 
 /// The same of the scanner's sweep; empty where nothing is known of it.
 [[nodiscard]] std::string sentence_on(const SweepReport& sweep);

@@ -5,24 +5,12 @@
 #include <bit>
 #include <cmath>
 
-#include "setsquare/core/angle.hpp"
+#include "setsquare/core/jump.hpp"
 #include "setsquare/scan/housing.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 
 namespace setsquare {
 namespace {
-
-/// No robot that carries a laser scanner through a building moves like this.
-bool is_jump(const Pose2& T_before_after, double seconds) {
-  constexpr double kLongStep_m = 0.5;
-  constexpr double kFastest_m_per_s = 5.0;
-  const double largest_turn_rad = rad_from_deg(30.0);
-  const double fastest_rad_per_s = rad_from_deg(600.0);
-  const double distance_m = std::hypot(T_before_after.x_m, T_before_after.y_m);
-  const double turn_rad = std::abs(T_before_after.theta_rad);
-  return (distance_m > kLongStep_m && distance_m > kFastest_m_per_s * seconds) ||
-         (turn_rad > largest_turn_rad && turn_rad > fastest_rad_per_s * seconds);
-}
 
 /// Shorter steps are none.
 constexpr double kLeastStep_m = 0.001;

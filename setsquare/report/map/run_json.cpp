@@ -80,6 +80,23 @@ Json json_from(const GyroReport& gyro) {
           {"bias_deg_per_s", rounded(deg_from_rad(gyro.bias_rad_per_s))}};
 }
 
+Json json_from(const OdometryComparison& comparison) {
+  return {{"compared", comparison.num_compared},
+          {"scale", rounded(comparison.scale)},
+          {"deviation", rounded(comparison.deviation)}};
+}
+
+/// Nothing where the log has none.
+Json json_from(const OdometryReport& odometry, std::size_t num_with_odometry) {
+  if (num_with_odometry == 0 && odometry.num_ignored == 0) return {};
+  return {{"verdict", to_string(odometry.verdict)},
+          {"way", json_from(odometry.way)},
+          {"turn", json_from(odometry.turn)},
+          {"ignored", odometry.num_ignored},
+          {"jumps", odometry.num_jumps},
+          {"carried", odometry.num_carried}};
+}
+
 /// Nothing where no scanner is known to sweep.
 Json json_from(const SweepReport& sweep) {
   if (sweep.verdict == SweepVerdict::kUnknown && sweep.stated_s == 0.0) return {};
@@ -137,6 +154,7 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"sensor", run.sensor},
                      {"scanners", array_from(map.scanners, run)},
                      {"gyro", json_from(map.gyro)},
+                     {"odometry", json_from(map.odometry, map.num_with_odometry)},
                      {"sweep", json_from(map.sweep)},
                      {"preset", run.preset},
                      {"frame", pose_of == PoseOf::kSensor ? "sensor" : "base"},
