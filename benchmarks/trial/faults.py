@@ -141,7 +141,8 @@ def paused(duration_s):
 
 
 def stuck(duration_s):
-    """The driver sends the same scan for so long while the robot drives on."""
+    """The driver sends the same scan for so long while the robot drives on, and the odometry with
+    it: true is where the robot is."""
     def fault(scans, _draw):
         first = len(scans) // 2
         end_s = scans[first]["stamp"] + duration_s
@@ -151,10 +152,11 @@ def stuck(duration_s):
 
 
 def sent_again(num):
-    """Every scan is sent `num` times instead of the next ones."""
+    """Every scan is sent `num` times instead of the next ones; true is where it was taken."""
     def fault(scans, _draw):
-        return [{**s, "ranges": scans[i - i % num]["ranges"]} for i, s in enumerate(scans)
-                if len(scans[i - i % num]["ranges"]) == len(s["ranges"])]
+        taken = [scans[i - i % num] for i in range(len(scans))]
+        return [{**then, "stamp": now["stamp"], "odometry": now["odometry"]}
+                for now, then in zip(scans, taken)]
     return fault
 
 

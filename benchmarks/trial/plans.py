@@ -53,14 +53,16 @@ def corridor(seed, door_spacing_m=None, is_there_and_back=False):
 
 
 def ring(seed):
-    """A ring of four bare corridors, driven once around and 6 m further."""
+    """A ring of four corridors, bare but for two boxes near the start; driven once around and past
+    them again."""
     draw = random.Random(seed)
     length, depth, half = draw.uniform(25, 35), draw.uniform(18, 25), draw.uniform(0.9, 1.3)
     outer = [(-half, -half), (length + half, -half), (length + half, depth + half),
              (-half, depth + half)]
     inner = [(half, half), (length - half, half), (length - half, depth - half), (half, depth - half)]
-    boxes = [_box(-half, 5.0, 0.3, 0.8), _box(length - 4.0, depth + half - 0.3, 0.7, 0.3)]
-    route = [(2.0, 0.0), (length, 0.0), (length, depth), (0.0, depth), (0.0, 0.0), (8.0, 0.1)]
+    boxes = [_box(draw.uniform(5, 6), -half, draw.uniform(0.4, 0.9), 0.3),
+             _box(draw.uniform(8, 10), half - 0.25, draw.uniform(0.4, 0.9), 0.25)]
+    route = [(2.0, 0.0), (length, 0.0), (length, depth), (0.0, depth), (0.0, 0.0), (14.0, 0.1)]
     return _svg([_polygon(outer), _polygon(inner), *boxes], route)
 
 
