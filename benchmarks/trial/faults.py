@@ -1,0 +1,191 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+"""What goes wrong with a log. A log is a list of scans, dictionaries as `setsquare simulate --format
+jsonl` writes them, each with its "truth": (x, y, theta) of the robot. A fault takes such a list and
+a random.Random, and returns the list of the spoilt log; what it does not change is shared."""
+import math
+
+SEES_NOTHING = "inf"
+
+
+def _is_return(value):
+    return isinstance(value, (int, float)) and math.isfinite(value)
+
+
+def _returns_edited(scans, edit):
+    """Every return of every scan replaced by edit(range)."""
+    return [{**scan, "ranges": [edit(r) if _is_return(r) and r < scan["range_max"] else r
+                                for r in scan["ranges"]]} for scan in scans]
+
+
+def short_sight(limit_m, noise_m=0.0):
+    """A poor lidar: nothing beyond `limit_m`, and more noise."""
+    def fault(scans, draw):
+        near = _returns_edited(
+            scans, lambda r: r + draw.gauss(0, noise_m) if r < limit_m else SEES_NOTHING)
+        return [{**scan, "range_max": limit_m} for scan in near]
+    return fault
+
+
+def stops(num, duration_s):
+    """The robot stands so long at `num` places, evenly over the log, the scans with fresh noise."""
+    def fault(scans, draw):
+        period_s = scans[1]["stamp"] - scans[0]["stamp"]
+        at = {(k + 1) * len(scans) // (num + 1) for k in range(num)}
+        stopped, late_s = [], 0.0
+        for i, scan in enumerate(scans):
+            stopped.append({**scan, "stamp": scan["stamp"] + late_s})
+            if i in at:
+                for _ in range(round(duration_s / period_s)):
+                    late_s += period_s
+                    still = _returns_edited([scan], lambda r: max(0.05, r + draw.gauss(0, 0.01)))[0]
+                    stopped.append({**still, "stamp": scan["stamp"] + late_s})
+        return stopped
+    return fault
+
+
+# Odometry.
+
+def _with_odometry(scans, poses):
+    return [{**scan, "odometry": list(pose)} for scan, pose in zip(scans, poses)]
+
+
+def _steps(scans):
+    """Motion from scan to scan by odometry, in the robot's frame."""
+    steps = []
+    for before, after in zip(scans, scans[1:]):
+        (x, y, h), (u, v, g) = before["odometry"], after["odometry"]
+        c, s = math.cos(h), math.sin(h)
+        steps.append((c * (u - x) + s * (v - y), c * (v - y) - s * (u - x),
+                      math.remainder(g - h, 2 * math.pi)))
+    return steps
+
+
+def _chained(start, steps):
+    poses = [tuple(start)]
+    for forward, left, turn in steps:
+        x, y, h = poses[-1]
+        c, s = math.cos(h), math.sin(h)
+        poses.append((x + c * forward - s * left, y + s * forward + c * left,
+                      math.remainder(h + turn, 2 * math.pi)))
+    return poses
+
+
+def odometry_zero(scans, _draw):
+    return _with_odometry(scans, [(0.0, 0.0, 0.0)] * len(scans))
+
+
+def odometry_frozen(share):
+    """From this share of the log on."""
+    def fault(scans, _draw):
+        last = int(share * len(scans))
+        return _with_odometry(scans, [scans[min(i, last)]["odometry"] for i in range(len(scans))])
+    return fault
+
+
+def odometry_mirrored(scans, _draw):
+    return _with_odometry(scans, [(x, -y, -h) for x, y, h in (s["odometry"] for s in scans)])
+
+
+def odometry_scaled(way=1.0, turn=1.0):
+    def fault(scans, _draw):
+        steps = [(way * x, way * y, turn * h) for x, y, h in _steps(scans)]
+        return _with_odometry(scans, _chained(scans[0]["odometry"], steps))
+    return fault
+
+
+def odometry_jump(far_m):
+    """One pose in the middle of the log."""
+    def fault(scans, _draw):
+        poses = [scan["odometry"] for scan in scans]
+        poses[len(poses) // 2] = [far_m, 0.0, 0.0]
+        return _with_odometry(scans, poses)
+    return fault
+
+
+def odometry_delayed(delay_s):
+    def fault(scans, _draw):
+        late = round(delay_s / (scans[1]["stamp"] - scans[0]["stamp"]))
+        return _with_odometry(scans, [scans[max(0, i - late)]["odometry"] for i in range(len(scans))])
+    return fault
+
+
+def _window(scans, way_m):
+    """The scans from the middle of the log on in which the robot moves so far."""
+    first = last = len(scans) // 2
+    while last + 1 < len(scans) and math.dist(scans[first]["truth"][:2],
+                                              scans[last]["truth"][:2]) < way_m:
+        last += 1
+    return first, last
+
+
+def carried(way_m, is_seen):
+    """The wheels rest while somebody carries the robot so far; the scanner sees it or is covered."""
+    def fault(scans, _draw):
+        first, last = _window(scans, way_m)
+        steps = [(0.0, 0.0, 0.0) if first <= i < last else step
+                 for i, step in enumerate(_steps(scans))]
+        moved = _with_odometry(scans, _chained(scans[0]["odometry"], steps))
+        return moved if is_seen else moved[:first + 1] + moved[last:]
+    return fault
+
+
+# Scans.
+
+def paused(duration_s):
+    """The log has no scans for so long; the robot drives on."""
+    def fault(scans, _draw):
+        begin_s = scans[len(scans) // 2]["stamp"]
+        return [s for s in scans if not begin_s < s["stamp"] < begin_s + duration_s]
+    return fault
+
+
+def stuck(duration_s):
+    """The driver sends the same scan for so long while the robot drives on, and the odometry with
+    it: true is where the robot is."""
+    def fault(scans, _draw):
+        first = len(scans) // 2
+        end_s = scans[first]["stamp"] + duration_s
+        return [{**s, "ranges": scans[first]["ranges"]} if i > first and s["stamp"] < end_s else s
+                for i, s in enumerate(scans)]
+    return fault
+
+
+def sent_again(num):
+    """Every scan is sent `num` times instead of the next ones; true is where it was taken."""
+    def fault(scans, _draw):
+        taken = [scans[i - i % num] for i in range(len(scans))]
+        return [{**then, "stamp": now["stamp"], "odometry": now["odometry"]}
+                for now, then in zip(scans, taken)]
+    return fault
+
+
+def posts(num, width_deg):
+    """Posts of the robot itself, 0.2 to 0.4 m off the scanner, in every scan."""
+    def fault(scans, draw):
+        placed = [(draw.uniform(-2.0, 2.0), draw.uniform(0.2, 0.4)) for _ in range(num)]
+        half = math.radians(0.5 * width_deg)
+
+        def seen(scan):
+            ranges = list(scan["ranges"])
+            for k in range(len(ranges)):
+                bearing = scan["angle_min"] + k * scan["angle_step"]
+                for at, range_m in placed:
+                    if abs(math.remainder(bearing - at, 2 * math.pi)) <= half:
+                        ranges[k] = range_m + draw.gauss(0, 0.003)
+            return {**scan, "ranges": ranges}
+        return [seen(scan) for scan in scans]
+    return fault
+
+
+def dust(share):
+    """This share of the returns comes from something nearer that nothing stands beside."""
+    def fault(scans, draw):
+        return _returns_edited(
+            scans, lambda r: draw.uniform(0.3, r) if r > 0.3 and draw.random() < share else r)
+    return fault
+
+
+def scans_mirrored(scans, _draw):
+    """A scanner upside down, or one that counts its beams clockwise; the odometry is right."""
+    return [{**scan, "ranges": scan["ranges"][::-1]} for scan in scans]

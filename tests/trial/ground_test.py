@@ -1,0 +1,99 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+"""A small part of benchmarks/trial_ground: ground_test.py COMMAND. Each log is of a kind that must be
+right, and a map that is bent on its way to the judge must not be."""
+import json
+import math
+import os
+import pathlib
+import sys
+import tempfile
+import unittest
+from concurrent.futures import ThreadPoolExecutor
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
+
+from trial.kinds import KINDS  # noqa: E402 (after the path is set)
+from trial.outputs import mapped_poses  # noqa: E402
+from trial.trials import Trial, judged, run_trial, spoilt_log  # noqa: E402
+
+COMMAND = None
+# Kind, level, seed.
+MUST_BE_RIGHT = [("plain", 0, 3), ("plain", 1, 1), ("posts", 0, 2), ("dust", 0, 1),
+                 ("odometry-jump", 0, 2), ("turn-on-the-spot", 2, 1)]
+# Nothing shows how far the robot drove: the map may be off, within the spread that it reports.
+MUST_NOT_BE_SILENT = [("corridor-bare", 0, 2), ("corridor-bare", 2, 1)]
+
+
+def bend_half(folder, angle_rad):
+    """Turns the second half of folder/trajectory.tum about its first pose."""
+    path = folder / "trajectory.tum"
+    rows = [line.split() for line in path.read_text().splitlines()]
+    middle = len(rows) // 2
+    x0, y0 = float(rows[middle][1]), float(rows[middle][2])
+    c, s = math.cos(angle_rad), math.sin(angle_rad)
+    for row in rows[middle:]:
+        x, y = float(row[1]) - x0, float(row[2]) - y0
+        half = math.atan2(float(row[6]), float(row[7])) + 0.5 * angle_rad
+        row[1], row[2] = f"{x0 + c * x - s * y:.6f}", f"{y0 + s * x + c * y:.6f}"
+        row[6], row[7] = f"{math.sin(half):.9f}", f"{math.cos(half):.9f}"
+    path.write_text("".join(" ".join(row) + "\n" for row in rows))
+    return middle, len(rows)
+
+
+def change_run(folder, change):
+    path = folder / "run.json"
+    run = json.loads(path.read_text())
+    change(run)
+    path.write_text(json.dumps(run))
+
+
+def outcomes_of(trials):
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        return list(pool.map(lambda trial: run_trial(COMMAND, Trial(*trial)), trials))
+
+
+class Ground(unittest.TestCase):
+    def test_kinds_that_must_be_right(self):
+        for outcome in outcomes_of(MUST_BE_RIGHT):
+            with self.subTest(outcome):
+                self.assertEqual(outcome["wrong"], 0)
+                self.assertGreaterEqual(outcome["placed"], 0.97 * outcome["poses"])
+                self.assertGreater(outcome["poses"], 300)
+                self.assertLess(outcome["median_m"], 0.1)
+
+    def test_kinds_that_must_not_be_silent(self):
+        for outcome in outcomes_of(MUST_NOT_BE_SILENT):
+            with self.subTest(outcome):
+                self.assertEqual(outcome["silent"], 0)
+                self.assertGreater(outcome["placed"], 300)
+
+    def test_a_map_bent_by_hand_is_wrong_and_silent_unless_it_says_so(self):
+        with tempfile.TemporaryDirectory() as name:
+            trial, folder = Trial("plain", 0, 3), pathlib.Path(name)
+            self.assertEqual(run_trial(COMMAND, trial, folder)["silent"], 0)
+            kept = folder / "plain-0-3"
+            scans = spoilt_log(COMMAND, trial, kept)
+            middle, end = bend_half(kept / "map", math.radians(20.0))
+
+            def verdict():
+                return judged(scans, mapped_poses(kept / "map")[0])
+            self.assertTrue(verdict().is_wrong_and_silent)
+            change_run(kept / "map", lambda run: run["findings"].append({"kind": "odometry_jumps"}))
+            self.assertTrue(verdict().is_wrong_and_silent)  # That says nothing of the map.
+            change_run(kept / "map", lambda run: run["stretches"].append(
+                {"status": "lost", "first_scan": middle, "num_scans": end - middle}))
+            self.assertEqual((verdict().num_silent, verdict().num_placed), (0, middle))
+            change_run(kept / "map", lambda run: (run["stretches"].pop(), run["findings"].append(
+                {"kind": "few_beams"})))
+            self.assertEqual(verdict().num_silent, 0)
+            self.assertGreater(verdict().num_wrong, 0)
+
+    def test_no_two_levels_of_a_kind_share_a_name(self):
+        for kind, levels in KINDS.items():
+            self.assertEqual(len({level.name for level in levels}), len(levels), kind)
+
+
+if __name__ == "__main__":
+    COMMAND = sys.argv.pop(1)
+    unittest.main()
