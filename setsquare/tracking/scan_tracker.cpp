@@ -54,9 +54,9 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.is_long_step = long_steps_.are_usual();
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
+  // Many scans in a row do not see again what was seen before: the robot was carried.
+  if (is_at_rest && num_lost_ >= params_.max_lost_scans) tracked.has_odometry = false;
   if (tracked.is_restart) start_anew();
-  // What was seen before would be seen again: the robot was carried.
-  if (tracked.is_restart && is_at_rest) tracked.has_odometry = false;
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
   sweep_motion_ = arrived.motion();
@@ -139,7 +139,7 @@ void ScanTracker::compare_odometry(const Scan& scan,
                 {.stamp = scan.stamp,
                  .T_odom_base = tracked.T_odom_body * T_base_body_.inverse(),
                  .is_placed = tracked.status != TrackStatus::kLost || tracked.is_restart,
-                 .is_restart = tracked.is_restart,
+                 .is_restart = tracked.is_restart && !tracked.has_odometry,
                  .is_certain = is_certain});
 }
 
