@@ -202,17 +202,14 @@ TEST(MapperOdometry, HoldsTheHeadingInARoundHall) {
   }
 }
 
-/// The rule switched off: every turn is taken to be bound.
+/// The rule switched off: every turn is taken to be bound. One hall: without the rule the mapper
+/// takes a minute for four.
 TEST(MapperOdometry, DoesNotHoldItWhereTheWallsAreBelieved) {
   MapperParams params;
   params.tracker.refinement.turn = {.noise_rad = 0.0, .bound_rad = 1e-6};
-  std::size_t num_wrong = 0;
-  for (std::uint64_t seed = 1; seed <= kNumSeeds; ++seed) {
-    const Drive drive = drive_in_a_round_hall(seed);
-    num_wrong +=
-        largest_error(map_of(drive, drive.truth, params), drive).theta_rad > rad_from_deg(5.0);
-  }
-  EXPECT_GT(num_wrong, kNumSeeds / 2);
+  const Drive drive = drive_in_a_round_hall(1);
+  const Pose2 error = largest_error(map_of(drive, drive.truth, params), drive);
+  EXPECT_GT(error.theta_rad, rad_from_deg(5.0));
 }
 
 }  // namespace setsquare::mapper_odometry_test
