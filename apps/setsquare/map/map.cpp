@@ -42,9 +42,9 @@ void tell_doubts(const MapSummary& summary) {
   }
   if (summary.open_s == 0.0) return;
   std::cout << fmt::format(
-      "bare corridors: {:.0f} m in {:.0f} s without walls across; the least certain stretch is "
-      "known to "
-      "{:.2f} m (sigma)\n",
+      "walls leave a direction open (a bare corridor, a round hall): {:.0f} m in {:.0f} s; the "
+      "least "
+      "certain stretch is known to {:.2f} m (sigma)\n",
       summary.open_m,
       summary.open_s,
       summary.worst_length_sigma_m);

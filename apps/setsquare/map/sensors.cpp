@@ -201,9 +201,10 @@ std::string sentence_on(const OdometryReport& odometry) {
     text += fmt::format(", {} of them after a step that no robot makes", odometry.num_jumps);
   }
   if (odometry.num_carried > 0) {
-    text += fmt::format(
-        "; {} times the scans changed while the wheels stood still: was the robot carried?",
-        odometry.num_carried);
+    text +=
+        fmt::format("; {} the scans changed while the wheels stood still: was the robot carried?",
+                    odometry.num_carried == 1 ? std::string("once")
+                                              : fmt::format("{} times", odometry.num_carried));
   }
   return text;
 }
