@@ -92,7 +92,7 @@ def _odometry():
                               once_20_m=faults.odometry_jump(20.0)),
         "odometry-delayed": kind(by_0_3_s=faults.odometry_delayed(0.3),
                                  by_1_s=faults.odometry_delayed(1.0)),
-        "carried": kind(_2_m_seen=faults.carried(2.0, True), _3_m_unseen=faults.carried(3.0, False)),
+        "carried": kind(seen_2_m=faults.carried(2.0, True), unseen_3_m=faults.carried(3.0, False)),
     }
 
 

@@ -35,6 +35,9 @@ struct MappedScan {
   Pose2 T_map_base;
   double score = 0.0;         ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
   bool has_odometry = false;  ///< Whether odometry predicted it.
+  /// How far off the motion from the last scan may be (sigma), along the direction in the map that
+  /// the walls leave open; zero where they leave none.
+  Eigen::Vector2d open_sigma_m = Eigen::Vector2d::Zero();
   /// Standard deviation of the position along its least certain direction, against the first
   /// keyframe of the map; infinite where it is not placed, NaN where there is no graph.
   double position_sigma_m = std::numeric_limits<double>::quiet_NaN();

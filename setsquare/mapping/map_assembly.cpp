@@ -3,6 +3,7 @@
 #include "setsquare/mapping/map_assembly.hpp"
 
 #include <cmath>
+#include <Eigen/Geometry>
 #include <string>
 
 #include "setsquare/matching/base_frame.hpp"
@@ -36,12 +37,15 @@ void add_scans(const MapParts& parts, Map& map) {
   map.scans.reserve(parts.scans.size());
   for (std::size_t i = 0; i < parts.scans.size(); ++i) {
     const TrackedScan& scan = parts.scans[i];
+    const double to_map_rad = T_map_sensor[i].theta_rad - scan.tracked.T_odom_sensor.theta_rad;
     map.scans.push_back({.stamp = scan.stamp,
                          .status = scan.tracked.status,
                          .T_map_sensor = T_map_sensor[i],
                          .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse(),
                          .score = scan.tracked.score,
-                         .has_odometry = scan.tracked.has_odometry});
+                         .has_odometry = scan.tracked.has_odometry,
+                         .open_sigma_m = scan.open_sigma_m * (Eigen::Rotation2Dd(to_map_rad) *
+                                                              scan.tracked.open.direction)});
   }
   for (const TrackPiece& piece : map.pieces) {
     for (std::size_t i = 0; i < piece.num_scans; ++i) {

@@ -20,6 +20,7 @@ struct TrackedScan {
   Timestamp stamp;
   TrackedPose tracked;
   Pose2 T_base_sensor;
+  double open_sigma_m = 0.0;  ///< MotionUncertainty::add().
 };
 
 /// All that a map is made of; everything must outlive the call. Poses are those of the sensors.

@@ -99,9 +99,34 @@ OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
   return stretch;
 }
 
-/// How certain the stretch's length is, between the keyframes of its piece before and behind it:
-/// along the way by odometry; without it along the least certain direction, which then is the
-/// stretch's, as the way may not have been seen.
+/// Covariance of the way between scans that lie behind the last keyframe of their piece, of which
+/// the graph knows nothing: where a robot stands, or seems to stand, no keyframe is made. Errors of
+/// successive scans are correlated: sigmas add up, not variances.
+class WayBehindKeyframes {
+ public:
+  void add(const MappedScan& scan) {
+    const Eigen::Vector2d& u_m = scan.open_sigma_m;
+    if (u_m.norm() > 0.0) sum_m_ += u_m * u_m.transpose() / u_m.norm();
+  }
+  [[nodiscard]] Eigen::Matrix2d covariance_m2() const { return sum_m_ * sum_m_; }
+
+ private:
+  Eigen::Matrix2d sum_m_ = Eigen::Matrix2d::Zero();
+};
+
+/// What lies behind the last keyframe of a piece adds to the sigmas of its scans.
+void widen_behind(const Map& track, const PieceNodes& piece, std::vector<double>& of_scan_m) {
+  WayBehindKeyframes way;
+  const std::size_t last_node = piece.first_node + piece.num_nodes - 1;
+  for (std::size_t scan = track.keyframes[last_node] + 1; scan < piece.end_scan; ++scan) {
+    way.add(track.scans[scan]);
+    of_scan_m[scan] = std::hypot(of_scan_m[scan], largest_sigma_m(way.covariance_m2()));
+  }
+}
+
+/// How certain the stretch's length is, between the keyframes of its piece before and behind it,
+/// or to its last scan where none is behind: along the way by odometry; without it along the least
+/// certain direction, which then is the stretch's, as the way may not have been seen.
 void add_length(const Map& track,
                 const PieceNodes& piece,
                 const MarginalCovariance& marginals,
@@ -112,8 +137,15 @@ void add_length(const Map& track,
       std::clamp(keyframe_before(track, stretch.first_scan), piece.first_node, last_node);
   const std::size_t to =
       std::clamp(keyframe_before(track, last_scan) + 1, piece.first_node, last_node);
-  if (from == to) return;
-  const Eigen::Matrix2d covariance_m2 = marginals.of_way(from, to);
+  WayBehindKeyframes behind;
+  for (std::size_t scan = std::max(stretch.first_scan, track.keyframes[to] + 1);
+       scan < std::min(last_scan + 1, piece.end_scan);
+       ++scan) {
+    behind.add(track.scans[scan]);
+  }
+  Eigen::Matrix2d covariance_m2 = behind.covariance_m2();
+  if (from != to) covariance_m2 += marginals.of_way(from, to);
+  if (covariance_m2.isZero(0.0)) return;
   if (stretch.has_odometry) {
     const Eigen::Vector2d along(std::cos(stretch.direction_rad), std::sin(stretch.direction_rad));
     stretch.length_sigma_m = std::sqrt(std::max(0.0, along.dot(covariance_m2 * along)));
@@ -143,6 +175,7 @@ std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_node
       of_node_m.push_back(largest_sigma_m(marginals.of_way(joined.front().first_node, node)));
     }
     interpolate(track, piece, nodes, of_node_m, of_scan_m);
+    widen_behind(track, piece, of_scan_m);
   }
   return of_scan_m;
 }

@@ -42,7 +42,8 @@ double MotionUncertainty::open_sigma_m(const TrackedPose& tracked, double second
          seconds;
 }
 
-void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep) {
+double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep) {
+  double open_m = 0.0;
   const double seconds =
       has_last_ ? std::max(0.0, seconds_between(last_sweep_.stamp, sweep.stamp)) : 0.0;
   if (tracked.status == TrackStatus::kTracked) open_s_ = 0.0;
@@ -58,8 +59,8 @@ void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep)
       if (!has_last_) break;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_sigma_m_ +=
-          std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m) * u * u.transpose();
+      open_m = std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m);
+      open_sigma_m_ += open_m * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:
@@ -84,6 +85,7 @@ void MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep)
   was_lost_ = tracked.status == TrackStatus::kLost;
   last_sweep_ = sweep;
   has_last_ = true;
+  return open_m;
 }
 
 MotionCovariance MotionUncertainty::take(double share_of_step) {

@@ -31,8 +31,9 @@ class MotionUncertainty {
   explicit MotionUncertainty(const MotionUncertaintyParams& params) : params_(params) {}
 
   /// The next scan, of one of the robot's scanners. One that is lost right after another scanner's
-  /// was not adds nothing: that one saw the motion.
-  void add(const TrackedPose& tracked, const SweepStart& sweep = {});
+  /// was not adds nothing: that one saw the motion. Returns how far off the motion from the last
+  /// scan may be along the direction that the walls leave open (sigma, m); 0 where they leave none.
+  double add(const TrackedPose& tracked, const SweepStart& sweep = {});
 
   /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
   /// `share_of_step`: where several scanners leave keyframes, each of them is so much of one step;

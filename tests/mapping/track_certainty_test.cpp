@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -180,6 +181,75 @@ TEST(TrackCertainty, AStretchEndsWithItsPiece) {
   ASSERT_EQ(stretches.size(), 2U);
   EXPECT_NEAR(stretches[0].length_sigma_m, kStepSigma_m * std::sqrt(19.0), 1e-4);
   EXPECT_NEAR(stretches[1].length_sigma_m, kStepSigma_m * std::sqrt(10.0), 1e-4);
+}
+
+/// The last scans of a log in a corridor, behind its last keyframe, each `open_sigma_m` unsure.
+Map chain_with_open_end(std::size_t num_open, double open_sigma_m, bool has_odometry) {
+  Map track = chain_of_pieces({{0, 20, true}}, 0.0);
+  MappedScan open{.status = TrackStatus::kDegenerate, .has_odometry = has_odometry};
+  for (std::size_t k = 0; k < num_open; ++k) {
+    open.T_map_base = {has_odometry ? 0.1 * static_cast<double>(k) : 0.0, 0.0, 0.0};
+    open.open_sigma_m = {open_sigma_m, 0.0};
+    open.stamp = Timestamp{static_cast<std::int64_t>(k) * 100'000'000};
+    track.scans.push_back(open);
+  }
+  track.pieces.front().num_scans = track.scans.size();
+  return track;
+}
+
+// A robot stops in a corridor and nobody sees whether it drives on until the log ends.
+TEST(TrackCertainty, AnOpenStretchBehindTheLastKeyframeIsReported) {
+  const Map track = chain_with_open_end(30, 0.04, false);
+  const std::vector<OpenStretch> stretches = open_stretches(track);
+  ASSERT_EQ(stretches.size(), 1U);
+  EXPECT_EQ(stretches[0].first_scan, 20U);
+  EXPECT_EQ(stretches[0].num_scans, 30U);
+  EXPECT_NEAR(stretches[0].length_sigma_m, 30 * 0.04, 1e-9);
+  EXPECT_NEAR(wrap_to_period(stretches[0].direction_rad, kPi), 0.0, 1e-9);
+  const std::vector<double> sigmas_m = position_sigmas_m(track);
+  EXPECT_NEAR(sigmas_m[19], kStepSigma_m * 3.0, 1e-6);
+  EXPECT_NEAR(sigmas_m.back(), std::hypot(kStepSigma_m * 3.0, 30 * 0.04), 1e-6);
+  EXPECT_TRUE(open_stretches(chain_with_open_end(30, 0.001, false)).empty()) << "known to 3 cm";
+}
+
+TEST(TrackCertainty, AnOpenStretchBehindTheLastKeyframeByOdometry) {
+  const std::vector<OpenStretch> stretches = open_stretches(chain_with_open_end(30, 0.005, true));
+  ASSERT_EQ(stretches.size(), 1U);
+  EXPECT_NEAR(stretches[0].way_m, 2.9 + 0.0, 1e-6);
+  EXPECT_NEAR(stretches[0].length_sigma_m, 30 * 0.005, 1e-9);
+}
+
+// The same with a part of the stretch before the last keyframe: the two parts are independent.
+TEST(TrackCertainty, AnOpenStretchThatEndsBehindTheLastKeyframe) {
+  Map track = chain_with_open_end(30, 0.04, false);
+  for (std::size_t scan = 10; scan < 20; ++scan) {
+    track.scans[scan].status = TrackStatus::kDegenerate;
+  }
+  const std::vector<OpenStretch> stretches = open_stretches(track);
+  ASSERT_EQ(stretches.size(), 1U);
+  EXPECT_EQ(stretches[0].num_scans, 40U);
+  // From the keyframe of scan 10 to that of scan 18, then to the end.
+  EXPECT_NEAR(stretches[0].length_sigma_m, std::hypot(kStepSigma_m * 2.0, 30 * 0.04), 1e-6);
+}
+
+/// From the first room into the corridor, where the robot stands until the log ends.
+TEST(TrackCertainty, AStopInACorridorAtTheEndOfALogIsReported) {
+  std::vector<Pose2> truth = drive({{1.0, 2.0}, {18.0, 2.0}});
+  truth.resize(truth.size() + 100, truth.back());
+  std::vector<Scan> scans = scans_on_drive(rooms_and_corridor(), truth, 0.005);
+  Mapper mapper;
+  for (Scan& scan : scans) {
+    for (double& range_m : scan.ranges_m) {
+      if (range_m > 8.0) range_m = std::numeric_limits<double>::infinity();
+    }
+    mapper.add(scan);
+  }
+  const Map map = mapper.finish();
+  ASSERT_FALSE(map.open_stretches.empty());
+  const OpenStretch& last = map.open_stretches.back();
+  EXPECT_EQ(last.first_scan + last.num_scans, scans.size());
+  EXPECT_GT(last.length_sigma_m, 2.0) << "in ten seconds a robot drives some metres";
+  EXPECT_GT(map.scans.back().position_sigma_m, 2.0);
 }
 
 TEST(TrackCertainty, NoGraphNoCertainty) {
