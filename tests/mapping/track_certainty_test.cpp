@@ -186,7 +186,9 @@ TEST(TrackCertainty, AStretchEndsWithItsPiece) {
 /// The last scans of a log in a corridor, behind its last keyframe, each `open_sigma_m` unsure.
 Map chain_with_open_end(std::size_t num_open, double open_sigma_m, bool has_odometry) {
   Map track = chain_of_pieces({{0, 20, true}}, 0.0);
-  MappedScan open{.status = TrackStatus::kDegenerate, .has_odometry = has_odometry};
+  MappedScan open;
+  open.status = TrackStatus::kDegenerate;
+  open.has_odometry = has_odometry;
   for (std::size_t k = 0; k < num_open; ++k) {
     open.T_map_base = {has_odometry ? 0.1 * static_cast<double>(k) : 0.0, 0.0, 0.0};
     open.open_sigma_m = {open_sigma_m, 0.0};
