@@ -22,7 +22,7 @@ std::optional<Pose2> OdometryWatch::believed(const Scan& scan,
   }
   const bool is_at_rest = rest_ && rest_->T_wheels_base == *T_wheels_base;
   if (!is_at_rest) {
-    if (!rest_) rest_.emplace();
+    if (!rest_) rest_ = Rest{};
     rest_->scan = scan;  // its vector is used again
     rest_->T_wheels_base = *T_wheels_base;
     rest_->num_scans = 0;
