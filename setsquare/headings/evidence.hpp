@@ -18,6 +18,8 @@ struct HeadingEvidence {
   double tracked_heading_rad = 0.0;  ///< By tracking: drifts; modulo a whole turn.
   /// Standard deviation of the tracked rotation from the keyframe before; unused for the first.
   double step_sigma_rad = 0.0;
+  /// Whether matches of scans about that step confirm it: tracking did not slip there.
+  bool is_step_confirmed = false;
   std::vector<HeadingProposal> proposals;  ///< None where no wall was seen.
   /// Of the place that it stands at. Where several scanners leave keyframes, each is one of as many
   /// that see the same walls, and counts as so much of a keyframe; its proposals' confidences

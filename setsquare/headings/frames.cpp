@@ -132,12 +132,12 @@ class PieceChain {
   PieceChain(const HeadingTrace& trace, double period_rad, const HeadingFramesParams& params)
       : trace_(trace), period_rad_(period_rad), params_(params) {}
 
-  void add(const Piece& piece, bool is_undone, HeadingFrames& found) {
+  void add(const Piece& piece, bool is_no_slip, HeadingFrames& found) {
     const std::size_t before = std::exchange(frame_, kNoFrame);
     double step_rad = 0.0;
     if (piece.tells) {
       frame_ = frame_at(piece.first_rad - drift_rad_,
-                        is_undone ? kNoFrame : before,
+                        is_no_slip ? kNoFrame : before,
                         period_rad_,
                         params_,
                         found.frames);
@@ -145,8 +145,8 @@ class PieceChain {
                                 period_rad_);
       found.frames[frame_].support += piece.support;
     }
-    if (frame_ == before && is_undone) {
-      frame_ = kNoFrame;  // An excursion too small for a new frame: the drift stays.
+    if (frame_ == before && is_no_slip) {
+      frame_ = kNoFrame;  // A jump too small for a new frame: the drift stays.
       step_rad = 0.0;
     } else if (frame_ == before && std::abs(step_rad) > params_.min_slip_rad) {
       double& sigma_rad = found.step_sigma_rad[piece.begin];
@@ -188,7 +188,9 @@ HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                       .step_sigma_rad = step_sigmas(keyframes)};
   PieceChain chain(trace, period_rad, params);
   for (std::size_t p = 0; p < pieces.size(); ++p) {
-    chain.add(pieces[p], is_soon_undone(pieces, p, period_rad, params), found);
+    const bool is_no_slip = keyframes[pieces[p].begin].is_step_confirmed ||
+                            is_soon_undone(pieces, p, period_rad, params);
+    chain.add(pieces[p], is_no_slip, found);
   }
   found.share = explained_share(keyframes, found.frames);
   rank(found.frames, period_rad, found.drift_rad);

@@ -143,6 +143,7 @@ std::vector<AssignedProposal> assign_heading_proposals(
 void HeadingFusionParams::validate() const {
   trace.validate();
   frames.validate();
+  doubt.validate();
   if (!(building_sigma_rad > 0.0)) throw ParameterError("building_sigma_rad", "must be positive");
   if (!(inlier_rad > 0.0)) throw ParameterError("inlier_rad", "must be positive");
   if (num_iterations < 1) throw ParameterError("num_iterations", "must be at least 1");
@@ -160,9 +161,11 @@ FusedHeadings fuse_headings(const std::vector<HeadingEvidence>& keyframes,
                       .measured_heading_rad = {},
                       .measured_information = std::vector<double>(n, 0.0),
                       .frame = std::vector<int>(n, -1),
-                      .frames = {}};
+                      .frames = {},
+                      .doubted = {}};
   const HeadingTrace trace = trace_headings(keyframes, params.trace);
   HeadingFrames found = find_heading_frames(keyframes, trace, params.trace, params.frames);
+  fused.doubted = doubted_turns(keyframes, trace, found.drift_rad, params.trace, params.doubt);
   const Measurements measurements = assign_heading_proposals(keyframes,
                                                              found,
                                                              params.trace.period_rad,

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "setsquare/headings/doubted_turns.hpp"
 #include "setsquare/headings/evidence.hpp"
 #include "setsquare/headings/frames.hpp"
 #include "setsquare/headings/heading_params.hpp"
@@ -45,6 +46,7 @@ struct FusedHeadings {
   std::vector<double> measured_information;
   std::vector<int> frame;  ///< Whose walls were seen: index of `frames`; -1 where none has weight.
   std::vector<HeadingFrame> frames;  ///< Of the building, the main one first.
+  std::vector<DoubtedTurn> doubted;  ///< By their order.
 };
 
 /// Headings from the walls' directions and the tracked rotations; no loop is closed, nothing is

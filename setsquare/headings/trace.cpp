@@ -31,12 +31,18 @@ struct Bins {
   double width_rad;
 };
 
+/// How far the walls' offset drifts in a step.
+double drift_sigma_rad(const HeadingEvidence& keyframe, const HeadingTraceParams& params) {
+  return std::max(keyframe.step_sigma_rad,
+                  keyframe.is_step_confirmed ? params.min_confirmed_sigma_rad
+                                             : params.min_step_sigma_rad);
+}
+
 /// Cost of drifting by one bin between a keyframe and the one before.
 double bin_cost(const HeadingEvidence& keyframe,
                 const HeadingTraceParams& params,
                 const Bins& bins) {
-  return params.drift_cost * bins.width_rad /
-         std::max(keyframe.step_sigma_rad, params.min_step_sigma_rad);
+  return params.drift_cost * bins.width_rad / drift_sigma_rad(keyframe, params);
 }
 
 /// Cheapest costs after a step, and the bins they came from: drift, the lower envelope of one cone
@@ -71,7 +77,7 @@ void advance(double cost_per_bin,
 bool is_change_of_frame(const HeadingEvidence& keyframe,
                         double move_rad,
                         const HeadingTraceParams& params) {
-  const double sigma_rad = std::max(keyframe.step_sigma_rad, params.min_step_sigma_rad);
+  const double sigma_rad = drift_sigma_rad(keyframe, params);
   if (params.drift_cost * move_rad / sigma_rad > params.change_cost) return true;
   return move_rad > std::max(params.max_drift_sigmas * sigma_rad, params.min_change_rad);
 }
@@ -109,6 +115,9 @@ void HeadingTraceParams::validate() const {
   if (!(inlier_rad > 0.0)) throw ParameterError("inlier_rad", "must be positive");
   if (!(drift_cost >= 0.0)) throw ParameterError("drift_cost", "must not be negative");
   if (!(min_step_sigma_rad > 0.0)) throw ParameterError("min_step_sigma_rad", "must be positive");
+  if (!(min_confirmed_sigma_rad > 0.0)) {
+    throw ParameterError("min_confirmed_sigma_rad", "must be positive");
+  }
   if (!(max_drift_sigmas > 0.0)) throw ParameterError("max_drift_sigmas", "must be positive");
   if (!(min_change_rad >= 0.0)) throw ParameterError("min_change_rad", "must not be negative");
   if (!(change_cost > 0.0)) throw ParameterError("change_cost", "must be positive");

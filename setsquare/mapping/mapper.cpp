@@ -9,7 +9,6 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
-#include "setsquare/headings/fusion.hpp"
 #include "setsquare/headings/proposals.hpp"
 #include "setsquare/mapping/kept_scans.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
@@ -20,6 +19,7 @@
 #include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/sweep_search.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
+#include "setsquare/mapping/turn_checks.hpp"
 #include "setsquare/mapping/unjudged_inputs.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 #include "setsquare/tracking/motion_uncertainty.hpp"
@@ -78,6 +78,7 @@ class Mapper::Parts {
         tracker_(params.tracker),
         scanners_(params.mounting),
         uncertainty_(params.motion),
+        turn_checks_(params.turns),
         closer_(params.closing) {
     params_.validate();
   }
@@ -140,6 +141,7 @@ class Mapper::Parts {
   ScanTracker tracker_;
   Scanners scanners_;
   MotionUncertainty uncertainty_;
+  TurnChecks turn_checks_;
   LoopCloser closer_;
   std::vector<TrackedScan> scans_;
   std::size_t num_with_odometry_ = 0;
@@ -206,7 +208,7 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
 
   add_keyframe(placed);
   if (track_.size() >= next_closing(num_closed_)) {
-    close_loops(fuse_headings(evidence_, params_.heading).heading_rad, track_.size(), closer_);
+    close_loops(turn_checks_.fuse(track_, evidence_, params_.heading).heading_rad, track_.size(), closer_);
     num_closed_ = track_.size();
   }
   return tracked;
@@ -263,7 +265,8 @@ std::size_t Mapper::Parts::next_closing(std::size_t num_closed) const {
 }
 
 Mapper::Parts::Closed Mapper::Parts::close_one_piece() const {
-  Closed closed{.headings = fuse_headings(evidence_, params_.heading),
+  TurnChecks checks = turn_checks_;
+  Closed closed{.headings = checks.fuse(track_, evidence_, params_.heading),
                 .closer = closer_,
                 .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}}};
   close_loops(closed.headings.heading_rad, track_.size(), closed.closer);
@@ -271,12 +274,14 @@ Mapper::Parts::Closed Mapper::Parts::close_one_piece() const {
 }
 
 Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
-  const FusedHeadings apart = fuse_headings(evidence_, params_.heading);
+  TurnChecks checks = turn_checks_;
+  const FusedHeadings apart = checks.fuse(track_, evidence_, params_.heading);
   const PoseGraph graph = pose_graph_of(track_, apart.heading_rad);
   JoinedPieces joined =
       join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
   Closed closed{
-      .headings = fuse_headings(evidence_of_joined(evidence_, track_, joined), params_.heading),
+      .headings =
+          checks.fuse(track_, evidence_of_joined(evidence_, track_, joined), params_.heading),
       .closer = LoopCloser(params_.closing),
       .joined = std::move(joined)};
   closed.closer.add_joints(closed.joined.joints);

@@ -12,6 +12,7 @@ void MapperParams::validate() const {
   direction.validate();
   motion.validate();
   heading.validate();
+  turns.validate();
   closing.validate();
   robust.validate();
   joining.validate();

@@ -112,6 +112,18 @@ struct RegistrationParams {
   void validate() const;
 };
 
+/// Parameters of TurnChecks.
+struct TurnCheckParams {
+  double confirmed_rad = rad_from_deg(1.0);   ///< A match that differs less confirms what was tracked.
+  double agreeing_rad = rad_from_deg(1.0);    ///< Two matches that tell the same slip.
+  double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
+  std::size_t longest_hop = 8;                ///< Keyframes from one scan to the one matched with it.
+  int max_rounds = 4;                         ///< Of checking and fusing again.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of MountingTrial.
 struct MountingTrialParams {
   /// Scans of a further scanner that must fit what the others saw before it is judged; with 0 every
@@ -136,6 +148,7 @@ struct MapperParams {
   SquareDirectionParams direction;
   MotionUncertaintyParams motion;
   HeadingFusionParams heading;
+  TurnCheckParams turns;
   LoopCloserParams closing;
   PieceJoiningParams joining;
   RobustPoseGraphParams robust;

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/headings/evidence.hpp"
+#include "setsquare/headings/heading_params.hpp"
+#include "setsquare/headings/trace.hpp"
+
+namespace setsquare {
+
+/// Keyframes between which the walls turned against the tracked rotation by more than tracking errs:
+/// it slipped, or these are other walls, not square to those before. The walls cannot tell which.
+struct DoubtedTurn {
+  std::size_t from = 0;     ///< The last keyframe that shows the walls as they were before ...
+  std::size_t to = 0;       ///< ... and the first that shows them as they are behind.
+  double turned_rad = 0.0;  ///< Of the walls' offset.
+};
+
+/// The doubted turns of a track that have steps which nobody confirmed, by their order; they do not
+/// overlap. `drift_rad`: rough, one per keyframe (HeadingFrames).
+[[nodiscard]] std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyframes,
+                                                     const HeadingTrace& trace,
+                                                     const std::vector<double>& drift_rad,
+                                                     const HeadingTraceParams& trace_params = {},
+                                                     const DoubtedTurnParams& params = {});
+
+}  // namespace setsquare

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/turn_checks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
+
+namespace setsquare {
+
+void TurnCheckParams::validate() const {
+  require_positive(confirmed_rad, "confirmed_rad");
+  require_positive(agreeing_rad, "agreeing_rad");
+  require_positive(slip_sigma_rad, "slip_sigma_rad");
+  if (longest_hop < 1) throw ParameterError("longest_hop", "must be at least 1");
+}
+
+/// Matches of a track's keyframes, each scan prepared once.
+class TurnChecks::Matches {
+ public:
+  explicit Matches(const KeyframeTrack& track) : track_(track) {}
+
+  [[nodiscard]] std::size_t size() const { return track_.size(); }
+  /// How far keyframe b is turned against a beyond what was tracked; nothing where they do not
+  /// match, or where nothing was tracked between them.
+  [[nodiscard]] std::optional<double> beyond_tracked_rad(std::size_t a, std::size_t b) {
+    if (track_.pieces[a] != track_.pieces[b]) return std::nullopt;
+    const MatchResult result = match(prepared(a), prepared(b));
+    if (result.status != MatchStatus::kMatched) return std::nullopt;
+    const double tracked_rad = track_.keyframes[b]->T_odom_sensor.theta_rad -
+                               track_.keyframes[a]->T_odom_sensor.theta_rad;
+    return wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad);
+  }
+
+ private:
+  const PreparedScan& prepared(std::size_t k) {
+    const auto known = prepared_.find(k);
+    if (known != prepared_.end()) return known->second;
+    return prepared_.emplace(k, prepare(track_.keyframes[k]->surfaces)).first->second;
+  }
+
+  const KeyframeTrack& track_;
+  std::map<std::size_t, PreparedScan> prepared_;
+};
+
+std::vector<HeadingEvidence> TurnChecks::checked(std::vector<HeadingEvidence> evidence) const {
+  double slipped_rad = 0.0;
+  for (std::size_t k = 1; k < evidence.size(); ++k) {
+    const Step& step = steps_[k];
+    slipped_rad += step.slip_rad;
+    evidence[k].tracked_heading_rad += slipped_rad;
+    if (!step.is_confirmed) continue;
+    evidence[k].is_step_confirmed = true;
+    if (step.slip_rad != 0.0) evidence[k].step_sigma_rad = params_.slip_sigma_rad;
+  }
+  return evidence;
+}
+
+bool TurnChecks::check(const DoubtedTurn& turn, Matches& matches) {
+  const auto is_checked = [](const Step& step) { return step.is_checked; };
+  const auto begin = steps_.begin() + static_cast<std::ptrdiff_t>(turn.from);
+  const auto end = steps_.begin() + static_cast<std::ptrdiff_t>(turn.to) + 1;
+  if (std::all_of(begin + 1, end, is_checked)) return false;
+  for (std::size_t a = turn.from; a < turn.to;) {
+    std::size_t b = std::min(turn.to, a + params_.longest_hop);
+    for (; b > a; b = b > a + 1 ? a + (b - a) / 2 : a) {
+      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
+      if (beyond_rad && std::abs(*beyond_rad) < params_.confirmed_rad) break;
+    }
+    const bool is_confirmed = b > a;
+    b = std::max(b, a + 1);
+    for (std::size_t k = a + 1; k <= b; ++k) {
+      steps_[k].is_checked = true;
+      steps_[k].is_confirmed = steps_[k].is_confirmed || is_confirmed;
+    }
+    if (!is_confirmed) measure_slip(b, matches);
+    a = b;
+  }
+  return true;
+}
+
+void TurnChecks::measure_slip(std::size_t k, Matches& matches) {
+  const std::size_t before = k >= 2 ? k - 2 : k - 1;
+  const std::size_t behind = std::min(k + 1, matches.size() - 1);
+  std::vector<double> slips_rad;
+  for (std::size_t a = before; a < k; ++a) {
+    for (std::size_t b = k; b <= behind; ++b) {
+      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
+      if (beyond_rad) slips_rad.push_back(*beyond_rad);
+    }
+  }
+  if (slips_rad.size() < 2) return;
+  std::sort(slips_rad.begin(), slips_rad.end());
+  if (slips_rad.back() - slips_rad.front() > params_.agreeing_rad) return;
+  steps_[k].slip_rad = slips_rad[slips_rad.size() / 2];
+  steps_[k].is_confirmed = true;
+}
+
+FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
+                               const std::vector<HeadingEvidence>& evidence,
+                               const HeadingFusionParams& params) {
+  steps_.resize(std::max(steps_.size(), evidence.size()));
+  Matches matches(track);
+  FusedHeadings fused = fuse_headings(checked(evidence), params);
+  for (int round = 0; round < params_.max_rounds; ++round) {
+    bool is_new = false;
+    for (const DoubtedTurn& turn : fused.doubted) is_new = check(turn, matches) || is_new;
+    if (!is_new) break;
+    fused = fuse_headings(checked(evidence), params);
+  }
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    fused.drift_rad[k] = fused.heading_rad[k] - evidence[k].tracked_heading_rad;
+  }
+  return fused;
+}
+
+}  // namespace setsquare

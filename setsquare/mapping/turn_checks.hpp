@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/headings/fusion.hpp"
+#include "setsquare/mapping/keyframe_track.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+
+namespace setsquare {
+
+/// Tells slips of tracking from walls that are not square to the others: where the walls turned
+/// against the tracked rotation (DoubtedTurn), scans before and behind are matched without a guess.
+/// What the matches say of a step is kept.
+class TurnChecks {
+ public:
+  explicit TurnChecks(const TurnCheckParams& params = {}) : params_(params) {}
+
+  /// The headings by the walls and the tracked rotations, checked where they contradict each other.
+  [[nodiscard]] FusedHeadings fuse(const KeyframeTrack& track,
+                                   const std::vector<HeadingEvidence>& evidence,
+                                   const HeadingFusionParams& params);
+
+ private:
+  struct Step {
+    bool is_checked = false;
+    bool is_confirmed = false;
+    double slip_rad = 0.0;  ///< How far it turned beyond what was tracked.
+  };
+  class Matches;
+
+  /// What is known of the steps put into the evidence.
+  [[nodiscard]] std::vector<HeadingEvidence> checked(std::vector<HeadingEvidence> evidence) const;
+  /// Whether anything new is known of the steps of a turn.
+  bool check(const DoubtedTurn& turn, Matches& matches);
+  /// The step to keyframe k, which no match confirms, where several matches tell the same slip.
+  void measure_slip(std::size_t k, Matches& matches);
+
+  TurnCheckParams params_;
+  std::vector<Step> steps_;  ///< To each keyframe; the first is unused.
+};
+
+}  // namespace setsquare
