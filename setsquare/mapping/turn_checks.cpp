@@ -38,6 +38,11 @@ class TurnChecks::Matches {
     return wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad);
   }
 
+  [[nodiscard]] bool confirms(std::size_t a, std::size_t b, double confirmed_rad) {
+    const std::optional<double> beyond_rad = beyond_tracked_rad(a, b);
+    return beyond_rad && std::abs(*beyond_rad) < confirmed_rad;
+  }
+
  private:
   const PreparedScan& prepared(std::size_t k) {
     const auto known = prepared_.find(k);
@@ -62,44 +67,50 @@ std::vector<HeadingEvidence> TurnChecks::checked(std::vector<HeadingEvidence> ev
   return evidence;
 }
 
-bool TurnChecks::check(const DoubtedTurn& turn, Matches& matches) {
-  const auto is_checked = [](const Step& step) { return step.is_checked; };
-  const auto begin = steps_.begin() + static_cast<std::ptrdiff_t>(turn.from);
-  const auto end = steps_.begin() + static_cast<std::ptrdiff_t>(turn.to) + 1;
-  if (std::all_of(begin + 1, end, is_checked)) return false;
+void TurnChecks::hop_along(const DoubtedTurn& turn, Matches& matches) {
   for (std::size_t a = turn.from; a < turn.to;) {
-    std::size_t b = std::min(turn.to, a + params_.longest_hop);
-    for (; b > a; b = b > a + 1 ? a + (b - a) / 2 : a) {
-      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
-      if (beyond_rad && std::abs(*beyond_rad) < params_.confirmed_rad) break;
-    }
-    const bool is_confirmed = b > a;
-    b = std::max(b, a + 1);
-    for (std::size_t k = a + 1; k <= b; ++k) {
-      steps_[k].is_checked = true;
-      steps_[k].is_confirmed = steps_[k].is_confirmed || is_confirmed;
-    }
-    if (!is_confirmed) measure_slip(b, matches);
-    a = b;
+    std::size_t hop = std::min(params_.longest_hop, turn.to - a);
+    while (hop > 0 && !matches.confirms(a, a + hop, params_.confirmed_rad)) hop /= 2;
+    for (std::size_t k = a + 1; k <= a + hop; ++k) steps_[k] = {.is_checked = true, .is_confirmed = true};
+    a += std::max<std::size_t>(hop, 1);
   }
-  return true;
 }
 
-void TurnChecks::measure_slip(std::size_t k, Matches& matches) {
-  const std::size_t before = k >= 2 ? k - 2 : k - 1;
-  const std::size_t behind = std::min(k + 1, matches.size() - 1);
+void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
   std::vector<double> slips_rad;
-  for (std::size_t a = before; a < k; ++a) {
-    for (std::size_t b = k; b <= behind; ++b) {
-      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
-      if (beyond_rad) slips_rad.push_back(*beyond_rad);
+  for (std::size_t hop = gap.to - gap.from; hop <= params_.longest_hop; ++hop) {
+    const std::size_t last = std::min(gap.from, matches.size() - 1 - hop);
+    const std::size_t first = std::max(gap.to, hop) - hop;
+    for (std::size_t a = first; a <= last; ++a) {
+      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, a + hop);
+      if (!beyond_rad) continue;
+      if (std::abs(*beyond_rad) < params_.confirmed_rad) {
+        for (std::size_t k = a + 1; k <= a + hop; ++k) steps_[k].is_confirmed = true;
+        return;
+      }
+      slips_rad.push_back(*beyond_rad);
     }
   }
-  if (slips_rad.size() < 2) return;
+  if (slips_rad.size() < params_.min_slip_matches) return;
   std::sort(slips_rad.begin(), slips_rad.end());
   if (slips_rad.back() - slips_rad.front() > params_.agreeing_rad) return;
-  steps_[k].slip_rad = slips_rad[slips_rad.size() / 2];
-  steps_[k].is_confirmed = true;
+  for (std::size_t k = gap.from + 1; k <= gap.to; ++k) steps_[k].is_confirmed = true;
+  steps_[gap.to].slip_rad = slips_rad[slips_rad.size() / 2];
+}
+
+bool TurnChecks::check(const DoubtedTurn& turn, Matches& matches) {
+  const auto step_at = [&](std::size_t k) { return steps_.begin() + static_cast<std::ptrdiff_t>(k); };
+  const auto is_checked = [](const Step& step) { return step.is_checked; };
+  if (std::all_of(step_at(turn.from + 1), step_at(turn.to + 1), is_checked)) return false;
+  hop_along(turn, matches);
+  for (std::size_t k = turn.from + 1; k <= turn.to; ++k) {
+    steps_[k].is_checked = true;
+    if (steps_[k].is_confirmed) continue;
+    std::size_t end = k;
+    while (end < turn.to && !steps_[end + 1].is_confirmed) ++end;
+    bridge({.from = k - 1, .to = end}, matches);
+  }
+  return true;
 }
 
 FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,

@@ -35,8 +35,11 @@ class TurnChecks {
   [[nodiscard]] std::vector<HeadingEvidence> checked(std::vector<HeadingEvidence> evidence) const;
   /// Whether anything new is known of the steps of a turn.
   bool check(const DoubtedTurn& turn, Matches& matches);
-  /// The step to keyframe k, which no match confirms, where several matches tell the same slip.
-  void measure_slip(std::size_t k, Matches& matches);
+  /// Confirms the steps of a turn from match to match.
+  void hop_along(const DoubtedTurn& turn, Matches& matches);
+  /// Steps that this left open: confirmed by a match across all of them, or slipped, where several
+  /// tell the same slip.
+  void bridge(const DoubtedTurn& gap, Matches& matches);
 
   TurnCheckParams params_;
   std::vector<Step> steps_;  ///< To each keyframe; the first is unused.
