@@ -81,7 +81,8 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
     for (std::size_t i = 0; i < params.max_margin && turn.from > 0; ++i, --turn.from) {
       if (shows_walls(keyframes[turn.from], trace.offset_rad[k - 1], trace_params, params)) break;
     }
-    for (std::size_t i = 0; i < params.max_margin && turn.to + 1 < keyframes.size(); ++i, ++turn.to) {
+    for (std::size_t i = 0; i < params.max_margin && turn.to + 1 < keyframes.size();
+         ++i, ++turn.to) {
       if (shows_walls(keyframes[turn.to], trace.offset_rad[k], trace_params, params)) break;
     }
     if (!turns.empty() && turn.from < turns.back().to) {

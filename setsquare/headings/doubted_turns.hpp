@@ -11,8 +11,9 @@
 
 namespace setsquare {
 
-/// Keyframes between which the walls turned against the tracked rotation by more than tracking errs:
-/// it slipped, or these are other walls, not square to those before. The walls cannot tell which.
+/// Keyframes between which the walls turned against the tracked rotation by more than tracking
+/// errs: it slipped, or these are other walls, not square to those before. The walls cannot tell
+/// which.
 struct DoubtedTurn {
   std::size_t from = 0;     ///< The last keyframe that shows the walls as they were before ...
   std::size_t to = 0;       ///< ... and the first that shows them as they are behind.

@@ -47,7 +47,7 @@ struct HeadingTraceParams {
   double bin_rad = rad_from_deg(0.5);     ///< Of the offset; divides the period.
   double inlier_rad = rad_from_deg(2.0);  ///< A proposal farther off than this is ignored.
   double drift_cost = 0.25;               ///< Of drift, for each standard deviation of the step.
-  double min_step_sigma_rad = rad_from_deg(0.15);  ///< No step is more certain than this ...
+  double min_step_sigma_rad = rad_from_deg(0.15);       ///< No step is more certain than this ...
   double min_confirmed_sigma_rad = rad_from_deg(0.06);  ///< ... but for those that are confirmed.
   /// In standard deviations. A larger move that also exceeds min_change_rad is never drift,
   /// whatever its cost: where one scan was lost the walls may turn by 45 deg, but an unseen robot
@@ -78,11 +78,11 @@ struct HeadingFramesParams {
 
 /// Parameters of doubted_turns.
 struct DoubtedTurnParams {
-  std::size_t num_steps = 10;             ///< In which the drift has turned ...
-  double min_rad = rad_from_deg(1.5);     ///< ... by this, ...
-  double min_sigmas = 4.0;                ///< ... and by so many times what tracking may err.
-  std::size_t max_margin = 30;            ///< Keyframes to either side until walls are seen again.
-  double min_belief = 0.5;                ///< Of a proposal that shows them.
+  std::size_t num_steps = 10;          ///< In which the drift has turned ...
+  double min_rad = rad_from_deg(1.5);  ///< ... by this, ...
+  double min_sigmas = 4.0;             ///< ... and by so many times what tracking may err.
+  std::size_t max_margin = 30;         ///< Keyframes to either side until walls are seen again.
+  double min_belief = 0.5;             ///< Of a proposal that shows them.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -33,9 +33,9 @@ struct Bins {
 
 /// How far the walls' offset drifts in a step.
 double drift_sigma_rad(const HeadingEvidence& keyframe, const HeadingTraceParams& params) {
-  return std::max(keyframe.step_sigma_rad,
-                  keyframe.is_step_confirmed ? params.min_confirmed_sigma_rad
-                                             : params.min_step_sigma_rad);
+  return std::max(
+      keyframe.step_sigma_rad,
+      keyframe.is_step_confirmed ? params.min_confirmed_sigma_rad : params.min_step_sigma_rad);
 }
 
 /// Cost of drifting by one bin between a keyframe and the one before.

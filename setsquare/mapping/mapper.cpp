@@ -208,7 +208,8 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
 
   add_keyframe(placed);
   if (track_.size() >= next_closing(num_closed_)) {
-    close_loops(turn_checks_.fuse(track_, evidence_, params_.heading).heading_rad, track_.size(), closer_);
+    close_loops(
+        turn_checks_.fuse(track_, evidence_, params_.heading).heading_rad, track_.size(), closer_);
     num_closed_ = track_.size();
   }
   return tracked;
@@ -279,11 +280,10 @@ Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
   const PoseGraph graph = pose_graph_of(track_, apart.heading_rad);
   JoinedPieces joined =
       join_pieces(track_, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
-  Closed closed{
-      .headings =
-          checks.fuse(track_, evidence_of_joined(evidence_, track_, joined), params_.heading),
-      .closer = LoopCloser(params_.closing),
-      .joined = std::move(joined)};
+  Closed closed{.headings = checks.fuse(
+                    track_, evidence_of_joined(evidence_, track_, joined), params_.heading),
+                .closer = LoopCloser(params_.closing),
+                .joined = std::move(joined)};
   closed.closer.add_joints(closed.joined.joints);
   for (std::size_t end = 0; end < track_.size();) {
     end = std::min(next_closing(end), track_.size());

@@ -33,8 +33,8 @@ class TurnChecks::Matches {
     if (track_.pieces[a] != track_.pieces[b]) return std::nullopt;
     const MatchResult result = match(prepared(a), prepared(b));
     if (result.status != MatchStatus::kMatched) return std::nullopt;
-    const double tracked_rad = track_.keyframes[b]->T_odom_sensor.theta_rad -
-                               track_.keyframes[a]->T_odom_sensor.theta_rad;
+    const double tracked_rad =
+        track_.keyframes[b]->T_odom_sensor.theta_rad - track_.keyframes[a]->T_odom_sensor.theta_rad;
     return wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad);
   }
 
@@ -71,7 +71,8 @@ void TurnChecks::hop_along(const DoubtedTurn& turn, Matches& matches) {
   for (std::size_t a = turn.from; a < turn.to;) {
     std::size_t hop = std::min(params_.longest_hop, turn.to - a);
     while (hop > 0 && !matches.confirms(a, a + hop, params_.confirmed_rad)) hop /= 2;
-    for (std::size_t k = a + 1; k <= a + hop; ++k) steps_[k] = {.is_checked = true, .is_confirmed = true};
+    for (std::size_t k = a + 1; k <= a + hop; ++k)
+      steps_[k] = {.is_checked = true, .is_confirmed = true};
     a += std::max<std::size_t>(hop, 1);
   }
 }
@@ -99,7 +100,9 @@ void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
 }
 
 bool TurnChecks::check(const DoubtedTurn& turn, Matches& matches) {
-  const auto step_at = [&](std::size_t k) { return steps_.begin() + static_cast<std::ptrdiff_t>(k); };
+  const auto step_at = [&](std::size_t k) {
+    return steps_.begin() + static_cast<std::ptrdiff_t>(k);
+  };
   const auto is_checked = [](const Step& step) { return step.is_checked; };
   if (std::all_of(step_at(turn.from + 1), step_at(turn.to + 1), is_checked)) return false;
   hop_along(turn, matches);
