@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 The Setsquare authors
 # SPDX-License-Identifier: Apache-2.0
-"""Floor plans that no made-up building has: bare corridors and empty round halls. A plan is an SVG
-in metres with the way through it; the same seed gives the same plan."""
+"""Floor plans that no made-up building has: bare corridors, empty round halls, and wings at a small
+angle to each other. A plan is an SVG in metres with the way through it; the same seed gives the same
+plan."""
+import math
 import random
 
 
@@ -75,3 +77,35 @@ def round_hall(seed):
     turned = [(radius * (x + draw.uniform(-0.1, 0.1)), radius * (y + draw.uniform(-0.1, 0.1)))
               for x, y in way]
     return _svg([f"<circle cx='0' cy='0' r='{radius:.3f}'/>"], turned)
+
+
+def _bays(draw, length, half):
+    """Corners of a wall at y = half, along x from 0 to length: bays of rooms open to the corridor."""
+    corners = [(0.0, half)]
+    x = draw.uniform(0.5, 2.0)
+    while True:
+        width, depth, jamb = draw.uniform(2.0, 4.0), draw.uniform(1.5, 4.0), draw.uniform(0.0, 0.8)
+        if x + width > length - 1.0:
+            return [*corners, (length, half)]
+        corners += [(x + jamb, half), (x + jamb, half + 0.2), (x, half + 0.2), (x, half + depth),
+                    (x + width, half + depth), (x + width, half)]
+        x += width + draw.uniform(0.3, 3.0)
+
+
+def oblique_wings(seed, angle_deg):
+    """Two wings, each a corridor with bays, the second turned by the angle either way; driven there
+    and back."""
+    draw = random.Random(seed)
+    half = draw.uniform(0.9, 1.4)
+    angle = math.radians(angle_deg) * draw.choice((-1, 1))
+    first, second = draw.uniform(18, 26), draw.uniform(18, 26)
+    c, s = math.cos(angle), math.sin(angle)
+
+    def turned(x, y):
+        return first + c * x - s * y, s * x + c * y
+    upper = [*_bays(draw, first, half), *(turned(*p) for p in _bays(draw, second, half))]
+    lower = [*((x, -y) for x, y in _bays(draw, first, half)),
+             *(turned(x, -y) for x, y in _bays(draw, second, half))]
+    ends = [(1.0, 0.0), (first, 0.0), turned(second - 1.0, 0.0)]
+    return _svg([_polygon(upper + lower[::-1])], [*ends, turned(second - 1.0, 0.3), (first, 0.2),
+                                                 (1.5, -0.2)])
