@@ -10,10 +10,30 @@
 namespace setsquare {
 namespace {
 
+/// How far the walls turned against the tracked rotation in a step, by the two keyframes alone; 0
+/// unless both are sure of theirs.
+double turn_of_walls_rad(const HeadingEvidence& before,
+                         const HeadingEvidence& keyframe,
+                         double period_rad,
+                         const DoubtedTurnParams& params) {
+  double least_rad = period_rad;
+  for (const HeadingProposal& a : before.proposals) {
+    if (a.confidence < params.min_sure * before.share_of_place) continue;
+    for (const HeadingProposal& b : keyframe.proposals) {
+      if (b.confidence < params.min_sure * keyframe.share_of_place) continue;
+      const double turn_rad =
+          b.heading_rad - keyframe.tracked_heading_rad - a.heading_rad + before.tracked_heading_rad;
+      least_rad = std::min(least_rad, std::abs(wrap_to_period(turn_rad, period_rad)));
+    }
+  }
+  return least_rad < period_rad ? least_rad : 0.0;
+}
+
 /// Steps, by the keyframe that each leads to, within which the walls turned too far.
 std::vector<bool> doubted_steps(const std::vector<HeadingEvidence>& keyframes,
                                 const HeadingTrace& trace,
                                 const std::vector<double>& drift_rad,
+                                double period_rad,
                                 const DoubtedTurnParams& params) {
   const std::size_t n = keyframes.size();
   std::vector<double> variance_rad2(n, 0.0);  // From the first keyframe on.
@@ -31,7 +51,11 @@ std::vector<bool> doubted_steps(const std::vector<HeadingEvidence>& keyframes,
       const bool moves = std::abs(drift_rad[i] - drift_rad[i - 1]) > 0.0;
       if (moves) is_doubted[i] = true;
     }
-    if (trace.is_change[k]) is_doubted[k] = true;
+    if (trace.is_change[k] ||
+        turn_of_walls_rad(keyframes[k - 1], keyframes[k], period_rad, params) >
+            params.min_sure_rad) {
+      is_doubted[k] = true;
+    }
   }
   return is_doubted;
 }
@@ -65,6 +89,8 @@ void DoubtedTurnParams::validate() const {
   if (num_steps < 1) throw ParameterError("num_steps", "must be at least 1");
   if (!(min_rad > 0.0)) throw ParameterError("min_rad", "must be positive");
   if (!(min_sigmas > 0.0)) throw ParameterError("min_sigmas", "must be positive");
+  if (!(min_sure > 0.0)) throw ParameterError("min_sure", "must be positive");
+  if (!(min_sure_rad > 0.0)) throw ParameterError("min_sure_rad", "must be positive");
   if (!(min_belief > 0.0)) throw ParameterError("min_belief", "must be positive");
 }
 
@@ -73,7 +99,8 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
                                        const std::vector<double>& drift_rad,
                                        const HeadingTraceParams& trace_params,
                                        const DoubtedTurnParams& params) {
-  const std::vector<bool> is_doubted = doubted_steps(keyframes, trace, drift_rad, params);
+  const std::vector<bool> is_doubted =
+      doubted_steps(keyframes, trace, drift_rad, trace_params.period_rad, params);
   std::vector<DoubtedTurn> turns;
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     if (!is_doubted[k]) continue;

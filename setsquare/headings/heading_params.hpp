@@ -78,11 +78,13 @@ struct HeadingFramesParams {
 
 /// Parameters of doubted_turns.
 struct DoubtedTurnParams {
-  std::size_t num_steps = 10;          ///< In which the drift has turned ...
-  double min_rad = rad_from_deg(1.5);  ///< ... by this, ...
-  double min_sigmas = 4.0;             ///< ... and by so many times what tracking may err.
-  std::size_t max_margin = 30;         ///< Keyframes to either side until walls are seen again.
-  double min_belief = 0.5;             ///< Of a proposal that shows them.
+  std::size_t num_steps = 10;               ///< In which the drift has turned ...
+  double min_rad = rad_from_deg(1.5);       ///< ... by this, ...
+  double min_sigmas = 4.0;                  ///< ... and by so many times what tracking may err.
+  double min_sure = 0.9;                    ///< Two neighbours so sure of their walls ...
+  double min_sure_rad = rad_from_deg(3.0);  ///< ... differ by this.
+  std::size_t max_margin = 30;  ///< Keyframes to either side until walls are seen again.
+  double min_belief = 0.5;      ///< Of a proposal that shows them.
 
   /// Throws ParameterError that names the field.
   void validate() const;
