@@ -29,11 +29,22 @@ double turn_of_walls_rad(const HeadingEvidence& before,
   return least_rad < period_rad ? least_rad : 0.0;
 }
 
+/// Steps whose keyframes are both sure of walls that turned too far from the one to the other.
+std::vector<DoubtedTurn> turns_in_one_step(const std::vector<HeadingEvidence>& keyframes,
+                                           double period_rad,
+                                           const DoubtedTurnParams& params) {
+  std::vector<DoubtedTurn> turns;
+  for (std::size_t k = 1; k < keyframes.size(); ++k) {
+    const double turn_rad = turn_of_walls_rad(keyframes[k - 1], keyframes[k], period_rad, params);
+    if (turn_rad > params.min_sure_rad) turns.push_back({.from = k - 1, .to = k});
+  }
+  return turns;
+}
+
 /// Steps, by the keyframe that each leads to, within which the walls turned too far.
 std::vector<bool> doubted_steps(const std::vector<HeadingEvidence>& keyframes,
                                 const HeadingTrace& trace,
                                 const std::vector<double>& drift_rad,
-                                double period_rad,
                                 const DoubtedTurnParams& params) {
   const std::size_t n = keyframes.size();
   std::vector<double> variance_rad2(n, 0.0);  // From the first keyframe on.
@@ -51,11 +62,7 @@ std::vector<bool> doubted_steps(const std::vector<HeadingEvidence>& keyframes,
       const bool moves = std::abs(drift_rad[i] - drift_rad[i - 1]) > 0.0;
       if (moves) is_doubted[i] = true;
     }
-    if (trace.is_change[k] ||
-        turn_of_walls_rad(keyframes[k - 1], keyframes[k], period_rad, params) >
-            params.min_sure_rad) {
-      is_doubted[k] = true;
-    }
+    if (trace.is_change[k]) is_doubted[k] = true;
   }
   return is_doubted;
 }
@@ -99,9 +106,9 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
                                        const std::vector<double>& drift_rad,
                                        const HeadingTraceParams& trace_params,
                                        const DoubtedTurnParams& params) {
-  const std::vector<bool> is_doubted =
-      doubted_steps(keyframes, trace, drift_rad, trace_params.period_rad, params);
-  std::vector<DoubtedTurn> turns;
+  const std::vector<bool> is_doubted = doubted_steps(keyframes, trace, drift_rad, params);
+  std::vector<DoubtedTurn> turns = turns_in_one_step(keyframes, trace_params.period_rad, params);
+  const std::size_t num_steps = turns.size();
   for (std::size_t k = 1; k < keyframes.size(); ++k) {
     if (!is_doubted[k]) continue;
     DoubtedTurn turn{.from = k - 1, .to = k};
@@ -112,7 +119,7 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
          ++i, ++turn.to) {
       if (shows_walls(keyframes[turn.to], trace.offset_rad[k], trace_params, params)) break;
     }
-    if (!turns.empty() && turn.from < turns.back().to) {
+    if (turns.size() > num_steps && turn.from < turns.back().to) {
       turns.back().to = std::max(turns.back().to, turn.to);
     } else {
       turns.push_back(turn);

@@ -20,8 +20,9 @@ struct DoubtedTurn {
   double turned_rad = 0.0;  ///< Of the walls' offset.
 };
 
-/// The doubted turns of a track that have steps which nobody confirmed, by their order; they do not
-/// overlap. `drift_rad`: rough, one per keyframe (HeadingFrames).
+/// The doubted turns of a track that have steps which nobody confirmed: first those in one step, of
+/// which two neighbours are sure; then those that the drift shows, which do not overlap.
+/// `drift_rad`: rough, one per keyframe (HeadingFrames).
 [[nodiscard]] std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyframes,
                                                      const HeadingTrace& trace,
                                                      const std::vector<double>& drift_rad,

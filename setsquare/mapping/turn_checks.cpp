@@ -38,11 +38,6 @@ class TurnChecks::Matches {
     return wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad);
   }
 
-  [[nodiscard]] bool confirms(std::size_t a, std::size_t b, double confirmed_rad) {
-    const std::optional<double> beyond_rad = beyond_tracked_rad(a, b);
-    return beyond_rad && std::abs(*beyond_rad) < confirmed_rad;
-  }
-
  private:
   const PreparedScan& prepared(std::size_t k) {
     const auto known = prepared_.find(k);
@@ -67,36 +62,47 @@ std::vector<HeadingEvidence> TurnChecks::checked(std::vector<HeadingEvidence> ev
   return evidence;
 }
 
+std::optional<double> TurnChecks::beyond_known_rad(std::size_t a,
+                                                   std::size_t b,
+                                                   Matches& matches) const {
+  std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
+  if (!beyond_rad) return std::nullopt;
+  for (std::size_t k = a + 1; k <= b; ++k) *beyond_rad -= steps_[k].slip_rad;
+  return wrap_to_pi(*beyond_rad);
+}
+
 void TurnChecks::hop_along(const DoubtedTurn& turn, Matches& matches) {
+  const auto confirms = [&](std::size_t a, std::size_t b) {
+    const std::optional<double> beyond_rad = beyond_known_rad(a, b, matches);
+    return beyond_rad && std::abs(*beyond_rad) < params_.confirmed_rad;
+  };
   for (std::size_t a = turn.from; a < turn.to;) {
     std::size_t hop = std::min(params_.longest_hop, turn.to - a);
-    while (hop > 0 && !matches.confirms(a, a + hop, params_.confirmed_rad)) hop /= 2;
-    for (std::size_t k = a + 1; k <= a + hop; ++k)
-      steps_[k] = {.is_checked = true, .is_confirmed = true};
+    while (hop > 0 && !confirms(a, a + hop)) hop /= 2;
+    for (std::size_t k = a + 1; k <= a + hop; ++k) steps_[k].is_confirmed = true;
     a += std::max<std::size_t>(hop, 1);
   }
 }
 
 void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
   std::vector<double> slips_rad;
+  const auto settle = [&](double slip_rad) {
+    for (std::size_t k = gap.from + 1; k <= gap.to; ++k) steps_[k].is_confirmed = true;
+    steps_[gap.to].slip_rad = slip_rad;
+  };
   for (std::size_t hop = gap.to - gap.from; hop <= params_.longest_hop; ++hop) {
     const std::size_t last = std::min(gap.from, matches.size() - 1 - hop);
-    const std::size_t first = std::max(gap.to, hop) - hop;
-    for (std::size_t a = first; a <= last; ++a) {
-      const std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, a + hop);
+    for (std::size_t a = std::max(gap.to, hop) - hop; a <= last; ++a) {
+      const std::optional<double> beyond_rad = beyond_known_rad(a, a + hop, matches);
       if (!beyond_rad) continue;
-      if (std::abs(*beyond_rad) < params_.confirmed_rad) {
-        for (std::size_t k = a + 1; k <= a + hop; ++k) steps_[k].is_confirmed = true;
-        return;
-      }
+      if (slips_rad.empty() && std::abs(*beyond_rad) < params_.confirmed_rad) return settle(0.0);
       slips_rad.push_back(*beyond_rad);
+      if (slips_rad.size() < params_.min_slip_matches) continue;
+      std::sort(slips_rad.begin(), slips_rad.end());
+      if (slips_rad.back() - slips_rad.front() > params_.agreeing_rad) return;
+      return settle(slips_rad[slips_rad.size() / 2]);
     }
   }
-  if (slips_rad.size() < params_.min_slip_matches) return;
-  std::sort(slips_rad.begin(), slips_rad.end());
-  if (slips_rad.back() - slips_rad.front() > params_.agreeing_rad) return;
-  for (std::size_t k = gap.from + 1; k <= gap.to; ++k) steps_[k].is_confirmed = true;
-  steps_[gap.to].slip_rad = slips_rad[slips_rad.size() / 2];
 }
 
 bool TurnChecks::check(const DoubtedTurn& turn, Matches& matches) {

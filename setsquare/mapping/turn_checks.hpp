@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "setsquare/headings/fusion.hpp"
@@ -35,6 +36,10 @@ class TurnChecks {
   [[nodiscard]] std::vector<HeadingEvidence> checked(std::vector<HeadingEvidence> evidence) const;
   /// Whether anything new is known of the steps of a turn.
   bool check(const DoubtedTurn& turn, Matches& matches);
+  /// How far keyframe b is turned against a beyond what was tracked and the slips known so far.
+  [[nodiscard]] std::optional<double> beyond_known_rad(std::size_t a,
+                                                       std::size_t b,
+                                                       Matches& matches) const;
   /// Confirms the steps of a turn from match to match.
   void hop_along(const DoubtedTurn& turn, Matches& matches);
   /// Steps that this left open: confirmed by a match across all of them, or slipped, where several
