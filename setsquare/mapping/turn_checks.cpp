@@ -15,7 +15,6 @@
 namespace setsquare {
 
 void TurnCheckParams::validate() const {
-  require_positive(confirmed_rad, "confirmed_rad");
   require_positive(agreeing_rad, "agreeing_rad");
   require_positive(slip_sigma_rad, "slip_sigma_rad");
   if (longest_hop < 1) throw ParameterError("longest_hop", "must be at least 1");
@@ -74,7 +73,7 @@ std::optional<double> TurnChecks::beyond_known_rad(std::size_t a,
 void TurnChecks::hop_along(const DoubtedTurn& turn, Matches& matches) {
   const auto confirms = [&](std::size_t a, std::size_t b) {
     const std::optional<double> beyond_rad = beyond_known_rad(a, b, matches);
-    return beyond_rad && std::abs(*beyond_rad) < params_.confirmed_rad;
+    return beyond_rad && std::abs(*beyond_rad) < params_.agreeing_rad;
   };
   for (std::size_t a = turn.from; a < turn.to;) {
     std::size_t hop = std::min(params_.longest_hop, turn.to - a);
@@ -95,7 +94,7 @@ void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
     for (std::size_t a = std::max(gap.to, hop) - hop; a <= last; ++a) {
       const std::optional<double> beyond_rad = beyond_known_rad(a, a + hop, matches);
       if (!beyond_rad) continue;
-      if (slips_rad.empty() && std::abs(*beyond_rad) < params_.confirmed_rad) return settle(0.0);
+      if (slips_rad.empty() && std::abs(*beyond_rad) < params_.agreeing_rad) return settle(0.0);
       slips_rad.push_back(*beyond_rad);
       if (slips_rad.size() < params_.min_slip_matches) continue;
       std::sort(slips_rad.begin(), slips_rad.end());
