@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Tracks whose rotation slipped at a step, with walls that tell that something turned, and matches
+// of scans that tell what.
+#include "setsquare/mapping/turn_checks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/headings/proposals.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "tests/mapping/tracked_world.hpp"
+
+namespace setsquare::turn_checks_test {
+
+/// Keyframes around the block and the evidence of their walls.
+struct Track {
+  std::vector<Pose2> truth;
+  KeyframeTrack track;
+  std::vector<HeadingEvidence> evidence;
+};
+
+/// Everything from keyframe `slips_at[i].first` on is tracked turned by `.second` about it.
+Track track_with_slips(const std::vector<std::pair<std::size_t, double>>& slips_at) {
+  Track made;
+  const auto walls = testing::corridor_around_a_block();
+  made.truth = testing::spaced(testing::drive(testing::way_around_the_block()));
+  made.track = testing::track_in_world(walls, made.truth, 0.01);
+  for (const auto& [at, slip_rad] : slips_at) {
+    const Pose2 pivot = made.track.keyframes[at]->T_odom_sensor;
+    const Pose2 T_odom_slipped = pivot * Pose2{0.0, 0.0, slip_rad} * pivot.inverse();
+    for (std::size_t k = at; k < made.track.size(); ++k) {
+      const Keyframe& keyframe = *made.track.keyframes[k];
+      made.track.keyframes[k] =
+          testing::make_keyframe(keyframe.scan, T_odom_slipped * keyframe.T_odom_sensor, k);
+    }
+  }
+  const MapperParams params;
+  for (std::size_t k = 0; k < made.track.size(); ++k) {
+    const Keyframe& keyframe = *made.track.keyframes[k];
+    made.evidence.push_back(
+        {.tracked_heading_rad = keyframe.T_odom_sensor.theta_rad,
+         .step_sigma_rad = std::sqrt(made.track.motions[k].rotation_rad2),
+         .proposals = heading_proposals(keyframe.scan, params.direction, params.confident_margin)});
+  }
+  return made;
+}
+
+/// The largest error of a fused heading, apart from what all have in common with the first.
+double worst_rad(const Track& track, const FusedHeadings& fused) {
+  double worst_rad = 0.0;
+  for (std::size_t k = 0; k < track.truth.size(); ++k) {
+    const double off_rad = fused.heading_rad[k] - track.truth[k].theta_rad - fused.heading_rad[0] +
+                           track.truth[0].theta_rad;
+    worst_rad = std::max(worst_rad, std::abs(wrap_to_pi(off_rad)));
+  }
+  return worst_rad;
+}
+
+TEST(TurnChecks, WhereWallsAndTrackingAgreeNothingIsDoubted) {
+  const Track track = track_with_slips({});
+  const FusedHeadings fused = TurnChecks().fuse(track.track, track.evidence, {});
+  EXPECT_TRUE(fused.doubted.empty());
+  EXPECT_LT(worst_rad(track, fused), rad_from_deg(0.5));
+}
+
+TEST(TurnChecks, ASlipIsMeasuredByMatches) {
+  for (const double slip_deg : {-21.0, -8.0, 5.0, 13.0, 30.0}) {
+    const Track track = track_with_slips({{30, rad_from_deg(slip_deg)}});
+    const FusedHeadings fused = TurnChecks().fuse(track.track, track.evidence, {});
+    EXPECT_LT(worst_rad(track, fused), rad_from_deg(1.0)) << slip_deg;
+    EXPECT_EQ(fused.frames.size(), 1U) << slip_deg;
+  }
+}
+
+TEST(TurnChecks, ALargeSlipIsTakenForAWingWithoutThem) {
+  const Track track = track_with_slips({{30, rad_from_deg(21.0)}});
+  const FusedHeadings fused = TurnChecks({.max_rounds = 0}).fuse(track.track, track.evidence, {});
+  EXPECT_GT(worst_rad(track, fused), rad_from_deg(10.0));
+}
+
+TEST(TurnChecks, ASlipThatIsSoonUndoneIsFoundBothTimes) {
+  const Track track = track_with_slips({{30, rad_from_deg(5.0)}, {33, rad_from_deg(-5.0)}});
+  const FusedHeadings fused = TurnChecks().fuse(track.track, track.evidence, {});
+  EXPECT_LT(worst_rad(track, fused), rad_from_deg(1.0));
+}
+
+TEST(TurnChecks, WhatIsKnownOfAStepIsKept) {
+  const Track track = track_with_slips({{30, rad_from_deg(8.0)}});
+  TurnChecks checks;
+  const FusedHeadings once = checks.fuse(track.track, track.evidence, {});
+  const FusedHeadings again = checks.fuse(track.track, track.evidence, {});
+  EXPECT_EQ(once.heading_rad, again.heading_rad);
+}
+
+TEST(TurnChecks, RefuseWrongParameters) {
+  EXPECT_THROW(TurnCheckParams{.agreeing_rad = 0.0}.validate(), ParameterError);
+  EXPECT_THROW(TurnCheckParams{.longest_hop = 0}.validate(), ParameterError);
+  EXPECT_THROW(TurnCheckParams{.slip_sigma_rad = -1.0}.validate(), ParameterError);
+  EXPECT_NO_THROW(TurnCheckParams{}.validate());
+}
+
+}  // namespace setsquare::turn_checks_test
