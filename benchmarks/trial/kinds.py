@@ -52,6 +52,14 @@ def _round_halls():
     }
 
 
+def _wings():
+    def plan(seed):
+        return plans.oblique_wings(seed, 5 + seed % 10)
+    return {"wings-5-to-14-deg": (Level("270 deg", UTM, plan=plan, map=WITHOUT),
+                                  Level("360 deg, 8 m", LOW_COST, plan=plan, map=WITHOUT),
+                                  Level("180 deg", SICK, plan=plan, map=WITHOUT))}
+
+
 def _sparse():
     every = ("--every", "1", "--every-angle", "30")
     return {"key-frames": (Level("270 deg, 30 m", (*UTM, *every), map=WITHOUT),
@@ -120,5 +128,5 @@ def _plain():
                       Level("360 deg, 8 m, alone", LOW_COST, map=WITHOUT))}
 
 
-KINDS = {**_plain(), **_corridors(), **_round_halls(), **_sparse(), **_turns(), **_odometry(),
+KINDS = {**_plain(), **_corridors(), **_round_halls(), **_wings(), **_sparse(), **_turns(), **_odometry(),
          **_scans()}

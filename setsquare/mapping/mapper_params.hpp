@@ -115,7 +115,7 @@ struct RegistrationParams {
 /// Parameters of TurnChecks.
 struct TurnCheckParams {
   double agreeing_rad = rad_from_deg(2.0);    ///< Rotations that differ less are the same.
-  std::size_t min_slip_matches = 3;  ///< Matches that tell the same slip.
+  std::size_t min_slip_matches = 3;           ///< Matches that tell the same slip.
   double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
   std::size_t longest_hop = 8;  ///< Keyframes from one scan to the one matched with it.
   int max_rounds = 4;           ///< Of checking and fusing again.
