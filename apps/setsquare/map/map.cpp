@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "apps/setsquare/command_line/options.hpp"
+#include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/map/outputs.hpp"
 #include "apps/setsquare/map/run.hpp"
 #include "apps/setsquare/map/sensors.hpp"
@@ -24,6 +25,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
+#include "setsquare/map/map_verdict.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -48,6 +50,20 @@ void tell_doubts(const MapSummary& summary) {
       summary.open_m,
       summary.open_s,
       summary.worst_length_sigma_m);
+}
+
+/// The verdict of the audit and the doubts, numbered as on map.png and the page.
+void tell_verdict(const Map& map) {
+  if (map.audit) std::cout << "map: " << map_verdict(map) << "\n";
+  for (std::size_t i = 0; i < map.doubts.size(); ++i) {
+    const MapDoubt& doubt = map.doubts[i];
+    std::cout << fmt::format("  {}. at ({:.1f}, {:.1f}) m, {}: {}\n",
+                             i + 1,
+                             doubt.place_m.x(),
+                             doubt.place_m.y(),
+                             to_string(doubt.kind),
+                             doubt.reason);
+  }
 }
 
 void tell(const MapSummary& summary, double total_s) {
@@ -111,6 +127,7 @@ void map_log(MapOptions options) {
   const MapSummary summary = summary_of(run.map);
   require_something_mapped(options, summary, run.findings);
   write_map_outputs(outputs, options, run, clock);
+  tell_verdict(run.map);
   tell(summary, seconds_of(clock));
   for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
     std::cout << sentence << "\n";
@@ -125,6 +142,7 @@ void map_log(MapOptions options) {
   tell_files(options.output_path, outputs.added());
   tell_findings(run.findings);
   tell_problems(options.log_name(), run.problems);
+  if (options.is_strict && !run.map.doubts.empty()) throw CLI::RuntimeError(kExitDoubtful);
 }
 
 }  // namespace
@@ -139,6 +157,11 @@ void add_map(CLI::App& application) {
       ->required();
   map->add_flag_callback(
       "--no-odometry", [options] { options->uses_odometry = false; }, "Use the scans alone");
+  map->add_flag_callback(
+      "--no-audit",
+      [options] { options->is_audited = false; },
+      "Do not match pairs of scans against the finished map");
+  map->add_flag("--strict", options->is_strict, "Exit with 3 where the map is doubtful");
   options->num_threads = 0;
   map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
       ->check(whole_number(1, 1024))
