@@ -15,6 +15,7 @@ namespace {
 
 /// A stretch is of unknown length from this standard deviation on.
 constexpr double kWideSigma_m = 0.5;
+constexpr double kShortEnd_m = 1.0;
 /// Outvoted closures between the same two parts of the track that raise a doubt.
 constexpr std::size_t kMinOutvoted = 3;
 /// Those whose ends are no more scans apart are of the same part.
@@ -143,12 +144,18 @@ ScanRange range_of(const OpenStretch& stretch) {
   return {stretch.first_scan, stretch.first_scan + stretch.num_scans - 1};
 }
 
+/// Whether the log ends in the stretch, and hardly moves in it: nothing hangs on its length.
+bool is_standing_end(const OpenStretch& stretch, const Map& map) {
+  return range_of(stretch).last + 1 == map.scans.size() && stretch.way_m < kShortEnd_m;
+}
+
 /// The open stretches whose length tracking and closures leave unknown.
 std::vector<OpenStretch> wide_stretches(const Map& map) {
   std::vector<OpenStretch> wide;
   for (const OpenStretch& stretch : map.open_stretches) {
     if (stretch.num_scans == 0 || !(stretch.length_sigma_m > kWideSigma_m)) continue;
-    if (map.scans[stretch.first_scan].is_placed) wide.push_back(stretch);
+    if (!map.scans[stretch.first_scan].is_placed || is_standing_end(stretch, map)) continue;
+    wide.push_back(stretch);
   }
   return wide;
 }
@@ -161,11 +168,12 @@ bool is_measured(const ScanRange& range,
                  const AuditFindings& findings,
                  const AuditParams& params) {
   constexpr std::size_t kMinPairs = 2;
+  const std::size_t nearly_last = range.last - (range.last - range.first) / 4;
   std::size_t num_pairs = 0;
   for (const AuditMatch& match : findings.matches) {
     const ScanRange between{map.keyframes[findings.track.keyframes[match.pair.from]],
                             map.keyframes[findings.track.keyframes[match.pair.to]]};
-    if (between.first >= range.first || between.last < range.last) continue;
+    if (between.first >= range.first || between.last < nearly_last) continue;
     const auto num_inside = std::count_if(wide.begin(), wide.end(), [&](const OpenStretch& other) {
       const ScanRange inside = range_of(other);
       return inside.last > between.first && inside.first < between.last;

@@ -150,13 +150,22 @@ std::vector<bool> begins_pieces(const Map& map) {
   return begins;
 }
 
+/// Those that tracking lost or found again.
+std::vector<bool> lost_scans(const Map& map) {
+  std::vector<bool> is_lost;
+  for (const MappedScan& scan : map.scans) {
+    is_lost.push_back(scan.status == TrackStatus::kLost || scan.status == TrackStatus::kRecovered);
+  }
+  return is_lost;
+}
+
 /// Ranges of scans that tracking did not hold, first and last: lost or found again, the begin of a
 /// piece, or one direction open.
 std::vector<std::pair<std::size_t, std::size_t>> weak_ranges(const Map& map) {
   std::vector<std::pair<std::size_t, std::size_t>> ranges;
-  for (std::size_t i = 0; i < map.scans.size(); ++i) {
-    const TrackStatus status = map.scans[i].status;
-    if (status != TrackStatus::kLost && status != TrackStatus::kRecovered) continue;
+  const std::vector<bool> is_lost = lost_scans(map);
+  for (std::size_t i = 0; i < is_lost.size(); ++i) {
+    if (!is_lost[i]) continue;
     if (!ranges.empty() && ranges.back().second + 1 == i) {
       ranges.back().second = i;
     } else {
@@ -179,9 +188,10 @@ std::vector<AuditPair> breaks_of(const Map& map, const std::vector<std::size_t>&
   for (const auto& [first, last] : weak_ranges(map)) {
     const auto before = std::lower_bound(keyframes.begin(), keyframes.end(), first);
     const auto after = std::lower_bound(keyframes.begin(), keyframes.end(), last);
-    if (before == keyframes.begin() || after == keyframes.end()) continue;
-    breaks.push_back({static_cast<std::size_t>(before - keyframes.begin() - 1),
-                      static_cast<std::size_t>(after - keyframes.begin())});
+    if (before == keyframes.begin()) continue;
+    const auto k = static_cast<std::size_t>(before - keyframes.begin()) - 1;
+    const auto next = static_cast<std::size_t>(after - keyframes.begin());
+    breaks.push_back({k, std::min(next, keyframes.size() - 1)});
   }
   std::sort(breaks.begin(), breaks.end());
   breaks.erase(std::unique(breaks.begin(), breaks.end()), breaks.end());
@@ -236,6 +246,7 @@ AuditedTrack audited_track(const Map& map) {
   }
   track.open_m2 = admitted_m2(map, scans);
   track.breaks = breaks_of(map, scans);
+  track.losses = keyframes_after(lost_scans(map), scans);
   track.restarts = keyframes_after(begins_pieces(map), scans);
   for (const MappedClosure& closure : map.closures) {
     if (!closure.closure.is_accepted || closure.closure.weight >= kOutvotedClosure) continue;

@@ -30,6 +30,7 @@ struct AuditedTrack {
   std::vector<double> way_m;          ///< Travelled from the first to each, by the map.
   std::vector<double> open_m2;        ///< Variance of that which the map admits.
   std::vector<AuditPair> breaks;      ///< Neither side is in a stretch that tracking did not hold.
+  std::vector<std::size_t> losses;    ///< Keyframes before which tracking had lost a scan.
   std::vector<std::size_t> restarts;  ///< Keyframes at which tracking began anew: any turn is open.
   std::vector<AuditPair> outvoted;    ///< Ends of accepted closures that all others outvoted.
 
