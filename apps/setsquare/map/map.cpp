@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <CLI/App.hpp>
+#include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <iostream>
 #include <memory>
@@ -12,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "apps/setsquare/audit/verdict_text.hpp"
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/map/outputs.hpp"
@@ -25,7 +27,6 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
-#include "setsquare/map/map_verdict.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -50,20 +51,6 @@ void tell_doubts(const MapSummary& summary) {
       summary.open_m,
       summary.open_s,
       summary.worst_length_sigma_m);
-}
-
-/// The verdict of the audit and the doubts, numbered as on map.png and the page.
-void tell_verdict(const Map& map) {
-  if (map.audit) std::cout << "map: " << map_verdict(map) << "\n";
-  for (std::size_t i = 0; i < map.doubts.size(); ++i) {
-    const MapDoubt& doubt = map.doubts[i];
-    std::cout << fmt::format("  {}. at ({:.1f}, {:.1f}) m, {}: {}\n",
-                             i + 1,
-                             doubt.place_m.x(),
-                             doubt.place_m.y(),
-                             to_string(doubt.kind),
-                             doubt.reason);
-  }
 }
 
 void tell(const MapSummary& summary, double total_s) {
@@ -127,7 +114,7 @@ void map_log(MapOptions options) {
   const MapSummary summary = summary_of(run.map);
   require_something_mapped(options, summary, run.findings);
   write_map_outputs(outputs, options, run, clock);
-  tell_verdict(run.map);
+  std::cout << verdict_text(run.map);
   tell(summary, seconds_of(clock));
   for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
     std::cout << sentence << "\n";
