@@ -17,6 +17,8 @@
 #include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/grid/placed_scan.hpp"
+#include "setsquare/map/audit_report.hpp"
+#include "setsquare/map/doubt.hpp"
 #include "setsquare/map/gyro_report.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
 #include "setsquare/map/odometry_report.hpp"
@@ -111,6 +113,8 @@ struct Map {
   PoseGraph graph;
   /// The keyframes, and the scans that moved on by 0.1 m or 5 degrees since the last one kept.
   std::vector<KeptScan> kept_scans;
+  std::optional<AuditReport> audit;  ///< Nothing where the map was not audited.
+  std::vector<MapDoubt> doubts;      ///< Where it may be wrong; empty where it was not audited.
 };
 
 /// Whose poses a trajectory holds.

@@ -10,6 +10,7 @@
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/headings/proposals.hpp"
+#include "setsquare/mapping/audit/audit.hpp"
 #include "setsquare/mapping/kept_scans.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
@@ -130,6 +131,8 @@ class Mapper::Parts {
   [[nodiscard]] std::size_t next_closing(std::size_t num_closed) const;
   /// What the log's sensors turned out to be, whatever is mapped.
   void add_sensors(Map& map) const;
+  /// What the scans say of the finished map.
+  void add_audit(Map& map) const;
   /// The graph's poses after registration of all keyframes.
   [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
                                                     const PoseGraph& graph) const;
@@ -320,6 +323,7 @@ Map Mapper::Parts::finish() const {
                           .graph = graph});
   add_sensors(map);
   add_certainty(map);
+  if (params_.audit.is_on) add_audit(map);
   return map;
 }
 
@@ -330,6 +334,13 @@ void Mapper::Parts::add_sensors(Map& map) const {
   map.odometry.num_ignored += odometry_.num_ignored();
   map.sweep = sweeps_.report();
   map.num_with_odometry = num_with_odometry_;
+}
+
+void Mapper::Parts::add_audit(Map& map) const {
+  std::vector<ScanSurfacesPtr> surfaces;
+  surfaces.reserve(track_.size());
+  for (const KeyframePtr& keyframe : track_.keyframes) surfaces.push_back(keyframe->surfaces);
+  audit_map(map, surfaces, params_.audit, params_.num_threads);
 }
 
 std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,

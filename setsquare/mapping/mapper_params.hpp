@@ -141,6 +141,32 @@ struct MountingTrialParams {
   void validate() const;
 };
 
+/// Parameters of audit_map.
+struct AuditParams {
+  bool is_on = true;
+  double pairs_per_keyframe = 0.75;  ///< Tried at first ...
+  std::size_t min_num_pairs = 300;   ///< ... but so many at least ...
+  std::size_t max_num_pairs = 1000;  ///< ... and at most.
+  double near_m = 3.0;               ///< Pairs that the map has so near see the same.
+  double min_way_m = 2.0;  ///< Along the track between the scans of a pair; tracking saw the rest.
+  double revisit_way_m = 8.0;  ///< From here on the robot came back.
+  /// A match contradicts the map if it is off by this, or by this ...
+  double off_m = 0.3;
+  double off_rad = rad_from_deg(5.0);
+  double max_sigmas = 3.0;  ///< ... and by so many of the map's own spreads.
+  double part_m = 12.0;     ///< Of track: contradictions of the same two parts may be one.
+  /// Corrections that are alike differ by less than this and this share of their size ...
+  double alike_m = 0.3;
+  double alike_share = 0.2;
+  double alike_rad = rad_from_deg(5.0);  ///< ... and by less than this.
+  /// Places that must ask for the same correction; and how many times more than agree.
+  std::size_t min_seconded = 3;
+  double min_majority = 2.0;
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the mapper; every default works.
 struct MapperParams {
   ScanTrackerParams tracker;
@@ -153,6 +179,7 @@ struct MapperParams {
   PieceJoiningParams joining;
   RobustPoseGraphParams robust;
   RegistrationParams registration;
+  AuditParams audit;
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;
   /// Loops are looked for each time the track has grown by this share, and by this many keyframes.

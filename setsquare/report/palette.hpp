@@ -24,6 +24,7 @@ inline constexpr Color kUnknown = color(0xd5dade);  ///< Cells of which nothing 
 inline constexpr Color kTracked = color(0x2478c7);  ///< The robot's path.
 inline constexpr Color kDegenerate = color(0xf2930d);   ///< The path where a direction is open.
 inline constexpr Color kLost = color(0xd02a3c);         ///< The path where no scan matched.
+inline constexpr Color kDoubt = color(0xa8201a);        ///< A place where the map may be wrong.
 inline constexpr Color kClosure = color(0x23a455);      ///< A loop closure: green.
 inline constexpr Color kAxisClosure = color(0xb0307a);  ///< One that binds one axis: magenta.
 inline constexpr Color kStart = color(0x12805c);        ///< The path's start.

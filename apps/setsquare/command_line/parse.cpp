@@ -183,6 +183,8 @@ int parse_and_run(CLI::App& application, int argc, char** argv) {
     application.parse(argc, argv);
   } catch (const CLI::Success& request) {  // --help, --version
     exit_code = application.exit(request);
+  } catch (const CLI::RuntimeError& end) {  // a subcommand that is done and has its own exit code
+    exit_code = end.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return complain(fmt::format("{}; see '{} --help'",
                                 words_of_error(application, named.command(), error),

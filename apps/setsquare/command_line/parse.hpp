@@ -10,6 +10,8 @@ namespace setsquare::app {
 
 /// Bad file, option or parameter.
 inline constexpr int kExitBadInput = 2;
+/// With --strict: the result is there, and in doubt. A subcommand throws CLI::RuntimeError of it.
+inline constexpr int kExitDoubtful = 3;
 
 /// Gives the application, and all subcommands that are added to it later, the form of help that
 /// this command has: the default of each option after its description.

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <CLI/App.hpp>
+#include <CLI/Error.hpp>
 #include <CLI/Option.hpp>
 #include <iostream>
 #include <memory>
@@ -12,7 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include "apps/setsquare/audit/verdict_text.hpp"
 #include "apps/setsquare/command_line/options.hpp"
+#include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/map/outputs.hpp"
 #include "apps/setsquare/map/run.hpp"
 #include "apps/setsquare/map/sensors.hpp"
@@ -111,6 +114,7 @@ void map_log(MapOptions options) {
   const MapSummary summary = summary_of(run.map);
   require_something_mapped(options, summary, run.findings);
   write_map_outputs(outputs, options, run, clock);
+  std::cout << verdict_text(run.map);
   tell(summary, seconds_of(clock));
   for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
     std::cout << sentence << "\n";
@@ -125,6 +129,7 @@ void map_log(MapOptions options) {
   tell_files(options.output_path, outputs.added());
   tell_findings(run.findings);
   tell_problems(options.log_name(), run.problems);
+  if (options.is_strict && !run.map.doubts.empty()) throw CLI::RuntimeError(kExitDoubtful);
 }
 
 }  // namespace
@@ -139,6 +144,11 @@ void add_map(CLI::App& application) {
       ->required();
   map->add_flag_callback(
       "--no-odometry", [options] { options->uses_odometry = false; }, "Use the scans alone");
+  map->add_flag_callback(
+      "--no-audit",
+      [options] { options->is_audited = false; },
+      "Do not match pairs of scans against the finished map");
+  map->add_flag("--strict", options->is_strict, "Exit with 3 where the map is doubtful");
   options->num_threads = 0;
   map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
       ->check(whole_number(1, 1024))

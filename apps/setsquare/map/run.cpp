@@ -60,6 +60,7 @@ MapRun run_map(LogReader& reader, const MapOptions& options, StageClock& clock) 
   } else {
     MapperParams params;
     params.num_threads = options.num_threads;
+    params.audit.is_on = options.is_audited;
     params.tracker.deskew.trial.is_on = !options.log.sweep_time_s;  // What the user says holds.
     Mapper mapper(params);
     feed(reader, options, run, survey, [&](const LogRecord& record) {

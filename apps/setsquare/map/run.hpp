@@ -24,6 +24,8 @@ struct MapOptions {
   Preset preset = Preset::kDefault;
   bool uses_odometry = true;
   bool is_of_sensor = false;  ///< Poses of the sensor instead of the robot's.
+  bool is_audited = true;
+  bool is_strict = false;  ///< Doubts make the exit code 3.
   std::size_t num_threads = 1;
 
   /// How messages and files name the log: its path, or that of the first and how many follow.

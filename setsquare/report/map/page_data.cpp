@@ -15,6 +15,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/drawing/png.hpp"
+#include "setsquare/map/map_verdict.hpp"
 #include "setsquare/report/map/page_image.hpp"
 #include "setsquare/report/map/raster.hpp"
 #include "setsquare/report/page_template.hpp"
@@ -237,6 +238,19 @@ Json json_from_figures(const std::vector<ReportFigure>& figures) {
   return json;
 }
 
+/// The page counts times from its first stamp, as in the columns.
+Json json_from_doubts_of_page(const Map& map, Timestamp start) {
+  Json array = Json::array();
+  for (const MapDoubt& doubt : map.doubts) {
+    array.push_back({{"kind", to_string(doubt.kind)},
+                     {"x", doubt.place_m.x()},
+                     {"y", doubt.place_m.y()},
+                     {"t", static_cast<double>(doubt.first_stamp.ns - start.ns) * 1e-9},
+                     {"reason", doubt.reason}});
+  }
+  return array;
+}
+
 }  // namespace
 
 std::string base64(std::string_view bytes) {
@@ -291,6 +305,8 @@ std::string map_report_json(const MapReport& report) {
   json["scans"] = json_from_scans(map, shown, start);
   json["closures"] = json_from_closures(map.closures, shown);
   json["headings"] = json_from_headings(map, start);
+  json["verdict"] = map_verdict(map);
+  json["doubts"] = json_from_doubts_of_page(map, start);
   json["figures"] = json_from_figures(report.figures);
 
   return json_within_script(json.dump(-1, ' ', true, Json::error_handler_t::replace));

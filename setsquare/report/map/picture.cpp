@@ -12,6 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/drawing/paint.hpp"
 #include "setsquare/report/map/closures.hpp"
+#include "setsquare/report/map/doubt_marks.hpp"
 #include "setsquare/report/map/footer.hpp"
 #include "setsquare/report/map/layout.hpp"
 #include "setsquare/report/palette.hpp"
@@ -118,6 +119,7 @@ Image layered_map_picture(const OccupancyGrid& grid,
   const double letter_px = layout.letter_px;
   std::vector<LegendEntry> entries;
   if (params.has_legend) entries = legend_entries(layers.scans, closures);
+  if (params.has_legend && !layers.doubts.empty()) entries.push_back(doubt_legend_entry());
   constexpr double kMaxBarLetters = 20.0;
   const double bar_width_px = params.has_scale_bar ? (kMaxBarLetters + 6.0) * letter_px : 0.0;
   const double footer_width_px = bar_width_px + legend_width_px(entries, letter_px);
@@ -136,6 +138,7 @@ Image layered_map_picture(const OccupancyGrid& grid,
     draw_mark(image, layout.pixel_of(*first), kStartRadius * letter_px, palette::kStart);
     draw_mark(image, layout.pixel_of(*last), kEndRadius * letter_px, palette::kEnd);
   }
+  draw_doubts(image, layout, grid, layers.doubts);
   // What lies beyond the map ends at its edge.
   fill_rectangle(image,
                  PixelPoint(0, layout.map_height_px),

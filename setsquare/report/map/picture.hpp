@@ -29,6 +29,7 @@ struct MapPictureLayers {
   /// placed are gaps.
   std::span<const MappedScan> scans;
   std::span<const LoopClosure> closures;  ///< Of scans with those stamps.
+  std::span<const MapDoubt> doubts = {};  ///< Numbered from 1 in their order.
 };
 
 /// A map for people: walls, free space, loop closures, the robot's path with its start and end, a

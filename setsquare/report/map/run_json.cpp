@@ -9,6 +9,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/rounded.hpp"
 #include "setsquare/map/map_summary.hpp"
+#include "setsquare/report/map/audit_json.hpp"
 
 namespace setsquare {
 namespace {
@@ -165,6 +166,8 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"num", scan_counts(summary)},
                      {"path_m", rounded(summary.path_m)},
                      {"closures", closure_counts(summary)},
+                     {"audit", json_from_audit(map)},
+                     {"doubts", json_from_doubts(map)},
                      {"building_frames", array_from(map.frames)},
                      {"pieces", array_from(map.pieces, map)},
                      {"open_stretches", array_from(map.open_stretches, map)},

@@ -58,6 +58,11 @@ class MapPanel {
       onClick: (pixel, reach) => this.click(pixel, reach),
       onPoint: (pixel) => this.point(pixel),
     });
+    this.doubts = new Doubts(report, (doubt) => {
+      this.view.reveal(doubt.u, doubt.v);
+      this.canvas.scrollIntoView({ block: "nearest" });
+      this.ask();
+    });
     shared.listeners.push((what) => this.hear(what));
   }
 
@@ -90,6 +95,7 @@ class MapPanel {
     this.image.draw(context, this.view);
     this.track.draw(context, this.view);
     this.marks.draw(context, this.view);
+    if (this.doubts) this.doubts.draw(context, this.view);
     const pointed = Number.isFinite(shared.pointedTime) ? this.track.at(shared.pointedTime) : -1;
     if (pointed >= 0) this.drawPointed(context, pointed);
     drawScaleBar(context, this.canvas, this.view.scale);
@@ -119,6 +125,11 @@ class MapPanel {
   }
 
   point(pixel) {
+    const doubt = pixel ? this.doubts.at(this.view, pixel) : null;
+    if (doubt) {
+      showTip(this.tip, "Doubt " + doubt.number + ", " + doubt.kind + "\n" + doubt.reason, pixel);
+      return;
+    }
     const closure = pixel ? this.marks.nearest(this.view, pixel, 8) : -1;
     const pose = pixel && closure < 0 ? this.track.nearest(this.view, pixel, 10) : -1;
     this.canvas.style.cursor = closure >= 0 ? "pointer" : "";

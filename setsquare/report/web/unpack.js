@@ -85,6 +85,12 @@ function unpackHeadings(rows) {
   };
 }
 
+function unpackDoubts(rows, gridHeading) {
+  const places = { x: rows.map((row) => row.x), y: rows.map((row) => row.y) };
+  addUpright(places, gridHeading);
+  return rows.map((row, k) => ({ ...row, number: k + 1, u: places.u[k], v: places.v[k] }));
+}
+
 function unpackReport(json) {
   const poses = unpackPoses(json.poses);
   poses.condition = unpackNumbers(json.poses.condition);
@@ -102,5 +108,7 @@ function unpackReport(json) {
     closures: unpackClosures(json.closures),
     headings: unpackHeadings(json.headings),
     figures: json.figures,
+    verdict: json.verdict,
+    doubts: unpackDoubts(json.doubts, json.grid_heading),
   };
 }

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+#include <string>
+
+#include "setsquare/core/timestamp.hpp"
+
+namespace setsquare {
+
+/// Why a place of a map is in doubt.
+enum class DoubtKind {
+  kContradictingPairs,  ///< Pairs of scans match otherwise than the map has them.
+  kUnknownLength,       ///< The walls left a direction open, and nothing else measured the length.
+  kUnjoinedPiece,       ///< A piece of the track could not be joined to the map.
+  kOutvotedClosures,    ///< Loop closures that were accepted and then contradicted all others.
+  kRefusedOdometry,     ///< The odometry was refused where the walls left a direction open, too.
+};
+
+/// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "refused
+/// odometry".
+[[nodiscard]] const char* to_string(DoubtKind kind);
+
+/// A place where the map may be wrong, and why.
+struct MapDoubt {
+  DoubtKind kind = DoubtKind::kContradictingPairs;
+  Eigen::Vector2d place_m = Eigen::Vector2d::Zero();  ///< Of the robot, in the map frame.
+  std::size_t first_scan = 0;                         ///< Of Map::scans.
+  std::size_t num_scans = 0;
+  Timestamp first_stamp;
+  Timestamp last_stamp;
+  std::string reason;  ///< A sentence without its full stop.
+};
+
+}  // namespace setsquare

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "setsquare/mapping/audit/contradictions.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
+
+namespace setsquare {
+
+/// A way in which a map may be wrong: two of its keyframes, and where scans have the one in the
+/// other. What may mend the map; nothing does so by itself.
+struct MapHypothesis {
+  std::size_t keyframe_from = 0;  ///< Of Map::keyframes.
+  std::size_t keyframe_to = 0;
+  Pose2 T_from_to;                                        ///< Of the sensors.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< As in Constraint.
+  std::size_t num_places = 0;                             ///< Independent matches that ask for it.
+  std::size_t num_agreeing = 0;                           ///< Such that agree with the map instead.
+};
+
+/// What an audit found.
+struct AuditFindings {
+  AuditReport report;
+  AuditedTrack track;
+  std::vector<AuditMatch> matches;
+  std::vector<ContradictionGroup> groups;  ///< Of the matches; the greatest first.
+
+  /// One for each match of the groups that raise a doubt.
+  [[nodiscard]] std::vector<MapHypothesis> hypotheses() const;
+};
+
+/// Matches pairs of a map's keyframes without a guess and compares the answers with the map.
+///
+/// 1. Sample: pairs near each other by the map, alike by signature, across breaks of tracking, at
+///    both ends of outvoted closures (sampled_pairs).
+/// 2. Match each as if nothing were known of the two scans.
+/// 3. Where a match contradicts the map, match more pairs about it.
+/// 4. Group what contradicts alike, and weigh it against what agrees (contradiction_groups).
+/// `surfaces`: one per keyframe of the map. Any number of threads gives the same findings. Throws
+/// ParameterError.
+[[nodiscard]] AuditFindings audit(const Map& map,
+                                  std::span<const ScanSurfacesPtr> surfaces,
+                                  const AuditParams& params,
+                                  std::size_t num_threads);
+
+/// The same, written into the map: Map::audit and Map::doubts.
+void audit_map(Map& map,
+               std::span<const ScanSurfacesPtr> surfaces,
+               const AuditParams& params,
+               std::size_t num_threads);
+
+}  // namespace setsquare

@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/audit/doubts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+#include <utility>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A stretch is of unknown length from this standard deviation on.
+constexpr double kWideSigma_m = 0.5;
+constexpr double kShortEnd_m = 1.0;
+/// Outvoted closures between the same two parts of the track that raise a doubt.
+constexpr std::size_t kMinOutvoted = 3;
+/// Those whose ends are no more scans apart are of the same part.
+constexpr double kOutvotedPart_m = 12.0;
+
+std::string decimals(double value, int num_decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", num_decimals, value);
+  return text;
+}
+
+/// A first and a last scan.
+struct ScanRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+
+  void add(const ScanRange& other) {
+    first = std::min(first, other.first);
+    last = std::max(last, other.last);
+  }
+};
+
+std::string text_of(const ScanRange& range) {
+  if (range.first == range.last) return "scan " + std::to_string(range.first);
+  return "scans " + std::to_string(range.first) + " to " + std::to_string(range.last);
+}
+
+MapDoubt doubt_at(const Map& map,
+                  DoubtKind kind,
+                  const ScanRange& range,
+                  const Eigen::Vector2d& place_m,
+                  std::string reason) {
+  return {.kind = kind,
+          .place_m = place_m,
+          .first_scan = range.first,
+          .num_scans = range.last - range.first + 1,
+          .first_stamp = map.scans[range.first].stamp,
+          .last_stamp = map.scans[range.last].stamp,
+          .reason = std::move(reason)};
+}
+
+Eigen::Vector2d middle_of(const Map& map, const ScanRange& range) {
+  return map.scans[range.first + (range.last - range.first) / 2].T_map_base.translation();
+}
+
+/// Groups of contradictions between the same two parts of the track: the same error, where the map
+/// is bent and not broken.
+struct ContradictedParts {
+  ScanRange from;
+  ScanRange to;
+  std::size_t centre = 0;  ///< Of the greatest of the groups: a match.
+  std::size_t num_places = 0;
+  std::size_t num_agreeing = 0;
+};
+
+ContradictedParts parts_of(const ContradictionGroup& group,
+                           const Map& map,
+                           const AuditFindings& findings) {
+  const auto scan_of = [&](std::size_t k) { return map.keyframes[findings.track.keyframes[k]]; };
+  ContradictedParts parts{.from = {},
+                          .to = {},
+                          .centre = group.centre,
+                          .num_places = group.num_places,
+                          .num_agreeing = group.num_agreeing};
+  const AuditPair& first = findings.matches[group.centre].pair;
+  parts.from = {scan_of(first.from), scan_of(first.from)};
+  parts.to = {scan_of(first.to), scan_of(first.to)};
+  for (const std::size_t i : group.members) {
+    const AuditPair& pair = findings.matches[i].pair;
+    parts.from.add({scan_of(pair.from), scan_of(pair.from)});
+    parts.to.add({scan_of(pair.to), scan_of(pair.to)});
+  }
+  return parts;
+}
+
+std::vector<ContradictedParts> contradicted_parts(const Map& map, const AuditFindings& findings) {
+  std::vector<ContradictedParts> all;
+  const auto overlap = [](const ScanRange& a, const ScanRange& b) {
+    return a.first <= b.last && b.first <= a.last;
+  };
+  for (const ContradictionGroup& group : findings.groups) {
+    if (!group.raises_doubt) continue;
+    const ContradictedParts parts = parts_of(group, map, findings);
+    const auto same = std::find_if(all.begin(), all.end(), [&](const ContradictedParts& other) {
+      return overlap(parts.from, other.from) && overlap(parts.to, other.to);
+    });
+    if (same == all.end()) {
+      all.push_back(parts);
+      continue;
+    }
+    same->from.add(parts.from);
+    same->to.add(parts.to);
+    same->num_places += parts.num_places;
+    same->num_agreeing = std::max(same->num_agreeing, parts.num_agreeing);
+  }
+  return all;
+}
+
+void add_contradictions(const Map& map,
+                        const AuditFindings& findings,
+                        const AuditParams& params,
+                        std::vector<MapDoubt>& doubts) {
+  for (const ContradictedParts& parts : contradicted_parts(map, findings)) {
+    const AuditMatch& centre = findings.matches[parts.centre];
+    const AuditOffset offset = audit_offset(centre, findings.track, params);
+    const std::size_t scan = map.keyframes[findings.track.keyframes[centre.pair.to]];
+    doubts.push_back(doubt_at(
+        map,
+        DoubtKind::kContradictingPairs,
+        parts.to,
+        map.scans[scan].T_map_base.translation(),
+        text_of(parts.to) + " match " + text_of(parts.from) + " otherwise than the map has them, " +
+            decimals(offset.off_m, 2) + " m and " + decimals(deg_from_rad(offset.off_rad), 1) +
+            " deg off: so say " + std::to_string(parts.num_places) + " pairs, " +
+            std::to_string(parts.num_agreeing) + " agree with the map"));
+  }
+}
+
+bool was_odometry_refused(const Map& map) {
+  const OdometryVerdict verdict = map.odometry.verdict;
+  return verdict == OdometryVerdict::kStill || verdict == OdometryVerdict::kMirrored ||
+         verdict == OdometryVerdict::kUnlike;
+}
+
+ScanRange range_of(const OpenStretch& stretch) {
+  return {stretch.first_scan, stretch.first_scan + stretch.num_scans - 1};
+}
+
+/// Whether the log ends in the stretch, and hardly moves in it: nothing hangs on its length.
+bool is_standing_end(const OpenStretch& stretch, const Map& map) {
+  return range_of(stretch).last + 1 == map.scans.size() && stretch.way_m < kShortEnd_m;
+}
+
+/// The open stretches whose length tracking and closures leave unknown.
+std::vector<OpenStretch> wide_stretches(const Map& map) {
+  std::vector<OpenStretch> wide;
+  for (const OpenStretch& stretch : map.open_stretches) {
+    if (stretch.num_scans == 0 || !(stretch.length_sigma_m > kWideSigma_m)) continue;
+    if (!map.scans[stretch.first_scan].is_placed || is_standing_end(stretch, map)) continue;
+    wide.push_back(stretch);
+  }
+  return wide;
+}
+
+/// Whether pairs of scans from before and after the stretch, and no other such stretch between
+/// them, agree with the map: then its length is known after all.
+bool is_measured(const ScanRange& range,
+                 const std::vector<OpenStretch>& wide,
+                 const Map& map,
+                 const AuditFindings& findings,
+                 const AuditParams& params) {
+  constexpr std::size_t kMinPairs = 2;
+  const std::size_t nearly_last = range.last - (range.last - range.first) / 4;
+  std::size_t num_pairs = 0;
+  for (const AuditMatch& match : findings.matches) {
+    const ScanRange between{map.keyframes[findings.track.keyframes[match.pair.from]],
+                            map.keyframes[findings.track.keyframes[match.pair.to]]};
+    if (between.first >= range.first || between.last < nearly_last) continue;
+    const auto num_inside = std::count_if(wide.begin(), wide.end(), [&](const OpenStretch& other) {
+      const ScanRange inside = range_of(other);
+      return inside.last > between.first && inside.first < between.last;
+    });
+    if (num_inside > 1) continue;
+    const AuditOffset offset = audit_offset(match, findings.track, params);
+    num_pairs += offset.off_m < params.off_m && offset.off_rad < params.off_rad;
+  }
+  return num_pairs >= kMinPairs;
+}
+
+void add_unknown_lengths(const Map& map,
+                         const AuditFindings& findings,
+                         const AuditParams& params,
+                         std::vector<MapDoubt>& doubts) {
+  const std::vector<OpenStretch> wide = wide_stretches(map);
+  for (const OpenStretch& stretch : wide) {
+    const ScanRange range = range_of(stretch);
+    if (is_measured(range, wide, map, findings, params)) continue;
+    const bool is_refused = !stretch.has_odometry && was_odometry_refused(map);
+    const std::string sigma = std::isfinite(stretch.length_sigma_m)
+                                  ? "to " + decimals(stretch.length_sigma_m, 2) + " m (sigma)"
+                                  : std::string("to nothing");
+    doubts.push_back(
+        doubt_at(map,
+                 is_refused ? DoubtKind::kRefusedOdometry : DoubtKind::kUnknownLength,
+                 range,
+                 middle_of(map, range),
+                 "the walls leave a direction open along " + decimals(stretch.way_m, 1) +
+                     " m, whose length is known " + sigma +
+                     (is_refused ? std::string("; the odometry, refused as ") +
+                                       to_string(map.odometry.verdict) + ", could not stand in"
+                                 : std::string())));
+  }
+}
+
+/// Pieces that follow each other make one doubt, where the track was last in the map.
+void add_unjoined(const Map& map, std::vector<MapDoubt>& doubts) {
+  for (std::size_t i = 0; i < map.pieces.size(); ++i) {
+    if (map.pieces[i].is_joined || map.pieces[i].num_scans == 0) continue;
+    const std::size_t first = i;
+    while (i + 1 < map.pieces.size() && !map.pieces[i + 1].is_joined) ++i;
+    const std::size_t begin = map.pieces[first].first_scan;
+    const ScanRange range{begin, map.pieces[i].first_scan + map.pieces[i].num_scans - 1};
+    const std::size_t after = range.last + 1;
+    const std::size_t last_placed = begin > 0 ? begin - 1 : std::min(after, map.scans.size() - 1);
+    const std::size_t num_pieces = i - first + 1;
+    doubts.push_back(doubt_at(map,
+                              DoubtKind::kUnjoinedPiece,
+                              range,
+                              map.scans[last_placed].T_map_base.translation(),
+                              std::to_string(num_pieces) +
+                                  (num_pieces == 1 ? " piece" : " pieces") +
+                                  " of track after this place could not be joined to the map"));
+  }
+}
+
+/// Whether two closures are between the same two parts of the track.
+bool are_of_same_parts(const MappedClosure& a, const MappedClosure& b, const Map& map) {
+  const auto near = [&](std::size_t scan, std::size_t other) {
+    const auto [first, last] = std::minmax(scan, other);
+    double way_m = 0.0;
+    for (std::size_t i = first + 1; i <= last && way_m < kOutvotedPart_m; ++i) {
+      way_m += (map.scans[i].T_map_base.translation() - map.scans[i - 1].T_map_base.translation())
+                   .norm();
+    }
+    return way_m < kOutvotedPart_m;
+  };
+  return near(a.scan_i, b.scan_i) && near(a.scan_j, b.scan_j);
+}
+
+/// Closures that were outvoted, in groups: some are the closures' own errors, but where they are
+/// many and outnumber those that hold between the same parts of the track it may be the map's.
+void add_outvoted_closures(const Map& map, std::vector<MapDoubt>& doubts) {
+  constexpr double kOutvotedWeight = 0.5;
+  std::vector<const MappedClosure*> left;
+  std::vector<const MappedClosure*> held;
+  for (const MappedClosure& closure : map.closures) {
+    if (!closure.closure.is_accepted) continue;
+    (closure.closure.weight < kOutvotedWeight ? left : held).push_back(&closure);
+  }
+  while (!left.empty()) {
+    const MappedClosure& centre = *left.front();
+    ScanRange from{centre.scan_i, centre.scan_i};
+    ScanRange to{centre.scan_j, centre.scan_j};
+    const auto is_same = [&](const MappedClosure* other) {
+      return are_of_same_parts(centre, *other, map);
+    };
+    const auto num_held =
+        static_cast<std::size_t>(std::count_if(held.begin(), held.end(), is_same));
+    std::size_t num = 0;
+    std::erase_if(left, [&](const MappedClosure* other) {
+      if (!is_same(other)) return false;
+      from.add({other->scan_i, other->scan_i});
+      to.add({other->scan_j, other->scan_j});
+      ++num;
+      return true;
+    });
+    if (num < kMinOutvoted || num <= num_held) continue;
+    doubts.push_back(doubt_at(map,
+                              DoubtKind::kOutvotedClosures,
+                              to,
+                              map.scans[centre.scan_j].T_map_base.translation(),
+                              std::to_string(num) + " loop closures of " + text_of(to) + " with " +
+                                  text_of(from) + " were outvoted, " + std::to_string(num_held) +
+                                  " between the same places hold"));
+  }
+}
+
+}  // namespace
+
+std::vector<MapDoubt> doubts_of(const Map& map,
+                                const AuditFindings& findings,
+                                const AuditParams& params) {
+  std::vector<MapDoubt> doubts;
+  add_contradictions(map, findings, params, doubts);
+  add_outvoted_closures(map, doubts);
+  add_unknown_lengths(map, findings, params, doubts);
+  add_unjoined(map, doubts);
+  return doubts;
+}
+
+}  // namespace setsquare
