@@ -193,6 +193,26 @@ TEST(PieceJoining, APieceOfFewPlacesStaysApart) {
   EXPECT_FALSE(is_joined(5));
 }
 
+/// The room, then two keyframes on the way back; `T_carried`: where tracking has these wrongly.
+PiecedTrack broken_off(const Pose2& T_carried) {
+  const std::vector<Pose2> around = round_the_room();
+  const std::vector<Pose2> behind{around.end() - 2, around.end()};
+  return lay_out({{testing::l_shaped_room(), {around.begin(), around.end() - 2}, {}, {}},
+                  {testing::l_shaped_room(), behind, T_carried, T_carried}});
+}
+
+TEST(PieceJoining, AcrossABreakMatchesThatHaveTheRobotWhereTrackingHasItJoin) {
+  const JoinedPieces joined = join(broken_off({}));
+  EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, true}));
+  EXPECT_GE(joined.joints.size(), 2U);
+}
+
+TEST(PieceJoining, AcrossABreakMatchesAloneDoNot) {
+  // The robot may have been carried, and another place may look like this one.
+  const JoinedPieces joined = join(broken_off({2.0, 0.5, 0.1}));
+  EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, false}));
+}
+
 TEST(PieceJoining, NoTrackNoPieces) { EXPECT_TRUE(join({}).is_joined.empty()); }
 
 TEST(PieceJoining, RefusesParametersThatAreNone) {

@@ -69,9 +69,7 @@ class PieceJoiner {
   JoinedPieces join_all() {
     if (places_.empty()) return joined_;
     for (std::size_t k = 1; k < track_.size(); ++k) {
-      if (track_.pieces[k] != track_.pieces[k - 1] && track_.motions[k].is_long_step) {
-        join_across_break(k);
-      }
+      if (track_.pieces[k] != track_.pieces[k - 1]) join_across_break(k);
     }
     const std::size_t main = largest_group();
     // A group that finds no place may find one when others have been joined.
@@ -142,9 +140,13 @@ class PieceJoiner {
   }
 
   /// Tracking lost a scan, or found nothing that stood alone, and began anew; the scans around may
-  /// all the same see enough of each other. `begin`: the keyframe after the break.
+  /// all the same see enough of each other. `begin`: the keyframe after the break. Where steps are
+  /// not long the robot may have been carried: then a match must have it where tracking has it,
+  /// which does not happen by chance.
   void join_across_break(std::size_t begin) {
-    const std::size_t reach = params_.num_across_break * track_.num_scanners();
+    const bool is_long_step = track_.motions[begin].is_long_step;
+    const std::size_t reach =
+        (is_long_step ? params_.num_across_break : params_.num_across_lost) * track_.num_scanners();
     const std::size_t first = begin - std::min(begin, reach);
     for (std::size_t before = begin; before-- > first;) {
       const std::size_t known = group_of(before);
@@ -159,8 +161,11 @@ class PieceJoiner {
           proposals.back().sought = j;
         }
       }
-      const auto agreed =
-          most_agreed(matched(proposals), &weight_in, params_.min_votes_across_break);
+      std::vector<Proposal> across = matched(proposals);
+      if (!is_long_step) {
+        std::erase_if(across, [&](const Proposal& proposal) { return !is_as_tracked(proposal); });
+      }
+      const auto agreed = most_agreed(across, &weight_in, params_.min_votes_across_break);
       if (!agreed.empty()) merge(sought, known, agreed);
     }
   }
@@ -306,6 +311,13 @@ class PieceJoiner {
     return std::max(disagreement_m(a.sought), disagreement_m(b.sought)) < params_.agreeing_m;
   }
 
+  /// Whether the proposal leaves the piece where tracking has it.
+  [[nodiscard]] bool is_as_tracked(const Proposal& proposal) const {
+    Proposal tracked = proposal;
+    tracked.T_map_piece = {};
+    return agree(proposal, tracked);
+  }
+
   /// The proposals that agree with the one that has most votes of places; none where it has too few
   /// votes, or another place has half as many votes.
   [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals,
@@ -367,6 +379,7 @@ void PieceJoiningParams::validate() const {
   require_at_least_one(num_similar, "joining.num_similar");
   require_positive(window_m, "joining.window_m");
   require_at_least_one(min_agreeing, "joining.min_agreeing");
+  require_at_least_one(num_across_lost, "joining.num_across_lost");
   require_positive(min_votes_across_break, "joining.min_votes_across_break");
   require_positive(joint_sigma_m, "joining.joint_sigma_m");
   require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
