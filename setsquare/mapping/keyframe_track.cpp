@@ -8,23 +8,36 @@
 #include <Eigen/LU>
 #include <set>
 
+#include "setsquare/mapping/open_spread.hpp"
+
 namespace setsquare {
 namespace {
 
-/// The motion from keyframe k - 1 to k, its covariance turned from the odom frame into that of
-/// keyframe k - 1.
-Constraint motion_constraint(const KeyframeTrack& track, std::size_t k, const Pose2& T_from_to) {
-  const MotionCovariance& covariance = track.motions[k];
-  const Eigen::Matrix2d R = rotation_matrix(-track.keyframes[k - 1]->T_odom_sensor.theta_rad);
+/// The motion from keyframe k - 1 to k. `covariance_m2`: of its translation in the map frame;
+/// `heading_rad`: of keyframe k - 1.
+Constraint motion_constraint(const KeyframeTrack& track,
+                             std::size_t k,
+                             const Pose2& T_from_to,
+                             const Eigen::Matrix2d& covariance_m2,
+                             double heading_rad) {
+  const Eigen::Matrix2d R = rotation_matrix(-heading_rad);
   Constraint constraint;
   constraint.from = k - 1;
   constraint.to = k;
   constraint.T_from_to = T_from_to;
   constraint.information.setZero();
-  constraint.information.topLeftCorner<2, 2>() =
-      (R * covariance.translation_m2 * R.transpose()).inverse();
-  constraint.information(2, 2) = 1.0 / covariance.rotation_rad2;
+  constraint.information.topLeftCorner<2, 2>() = (R * covariance_m2 * R.transpose()).inverse();
+  constraint.information(2, 2) = 1.0 / track.motions[k].rotation_rad2;
   return constraint;
+}
+
+/// Of each keyframe: how far the map's frame is turned against the odom frame there.
+std::vector<double> drifts_rad(const KeyframeTrack& track, std::span<const double> headings_rad) {
+  std::vector<double> drifts_rad;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    drifts_rad.push_back(headings_rad[k] - track.keyframes[k]->T_odom_sensor.theta_rad);
+  }
+  return drifts_rad;
 }
 
 /// The pose `share` of the way from a to b.
@@ -44,6 +57,13 @@ std::size_t KeyframeTrack::num_scanners() const {
 
 PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> headings_rad) {
   assert(headings_rad.size() == track.size());
+  const std::vector<double> drift_rad = drifts_rad(track, headings_rad);
+  std::vector<double> turns_rad;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const double before_rad = drift_rad[k == 0 ? 0 : k - 1];
+    turns_rad.push_back(before_rad + 0.5 * wrap_to_pi(drift_rad[k] - before_rad));
+  }
+  const std::vector<Eigen::Matrix2d> covariances_m2 = motion_covariances_m2(track, turns_rad);
   PoseGraph graph;
   graph.T_map_node.reserve(track.size());
   graph.constraints.reserve(track.size());
@@ -56,16 +76,15 @@ PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> head
     const Pose2& T_odom_before = track.keyframes[k - 1]->T_odom_sensor;
     const Pose2& T_odom_sensor = track.keyframes[k]->T_odom_sensor;
     const Pose2& T_map_before = graph.T_map_node.back();
-    const double drift_before_rad = headings_rad[k - 1] - T_odom_before.theta_rad;
-    const double drift_rad = headings_rad[k] - T_odom_sensor.theta_rad;
-    const double turn_rad = drift_before_rad + 0.5 * wrap_to_pi(drift_rad - drift_before_rad);
     const Eigen::Vector2d moved_m =
-        rotation_matrix(turn_rad) * (T_odom_sensor.translation() - T_odom_before.translation());
+        rotation_matrix(turns_rad[k]) * (T_odom_sensor.translation() - T_odom_before.translation());
     const Eigen::Vector2d seen_m = rotation_matrix(-T_map_before.theta_rad) * moved_m;
     graph.constraints.push_back(motion_constraint(
         track,
         k,
-        {seen_m.x(), seen_m.y(), wrap_to_pi(T_odom_sensor.theta_rad - T_odom_before.theta_rad)}));
+        {seen_m.x(), seen_m.y(), wrap_to_pi(T_odom_sensor.theta_rad - T_odom_before.theta_rad)},
+        covariances_m2[k],
+        T_map_before.theta_rad));
     graph.T_map_node.push_back(
         {T_map_before.x_m + moved_m.x(), T_map_before.y_m + moved_m.y(), heading_rad});
   }

@@ -15,6 +15,7 @@
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/open_spread.hpp"
 #include "setsquare/mapping/pieces/piece_joining.hpp"
 #include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/scanners/scanners.hpp"
@@ -254,6 +255,7 @@ void Mapper::Parts::close_loops(std::span<const double> headings_rad,
                                 std::size_t num_keyframes,
                                 LoopCloser& closer) const {
   PoseGraph graph = graph_along(headings_rad, closer);
+  loosen_across(track_.size() - 1, false, graph);
   const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
   for (std::size_t k = 0; k < positions_m.size(); ++k) {
     graph.T_map_node[k].x_m = positions_m[k].x();
@@ -305,6 +307,7 @@ Map Mapper::Parts::finish() const {
   PoseGraph graph = graph_along(closed.headings.heading_rad, closed.closer);
   graph.headings = heading_measurements(closed.headings);
   if (track_.size() > 1) {
+    loosen_across(track_.size() - 1, true, graph);
     solve_robustly(graph, {}, params_.robust);
     graph.T_map_node = registered_poses(closed.closer, graph);
   }

@@ -107,6 +107,8 @@ struct RegistrationParams {
   AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
   double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
   double max_contradicted = 0.15;  ///< Of the points compared.
+  /// A direction bound by fewer effective points is left open, as in SubmapRefinementParams.
+  double min_effective_points = 3.0;
   double point_sigma_m = 0.10;     ///< As in LoopCloserParams.
 
   /// Throws ParameterError that names the field.

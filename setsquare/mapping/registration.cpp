@@ -11,6 +11,7 @@
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/graph/gauss_newton.hpp"
+#include "setsquare/tracking/open_direction.hpp"
 
 namespace setsquare {
 namespace {
@@ -84,10 +85,16 @@ std::optional<Constraint> compare(const KeyframeTrack& track,
       found.num_contradicted > params.max_contradicted * found.num_compared) {
     return std::nullopt;
   }
+  // Along a bare corridor keyframes stay where the graph has them: what the walls show there by
+  // chance must not move them, and it keeps what is shown across from moving them along.
+  const OpenDirection open = open_direction(found.hessian.topLeftCorner<2, 2>());
+  const Eigen::Matrix3d kept =
+      keeping_open_share(open, open.effective_points < params.min_effective_points ? 0.0 : 1.0);
+  const NormalEquations<3> bound{kept * found.hessian * kept, kept * found.gradient};
   Constraint constraint;
   constraint.from = reference;
   constraint.to = current;
-  constraint.T_from_to = stepped(T, damped_step({found.hessian, found.gradient}, kPairDamping));
+  constraint.T_from_to = stepped(T, damped_step(bound, kPairDamping));
   constraint.information = found.hessian / (params.point_sigma_m * params.point_sigma_m);
   constraint.kind = ConstraintKind::kOdometry;
   return constraint;
@@ -113,6 +120,7 @@ void RegistrationParams::validate() const {
   scale.validate("registration.scale");
   require_not_negative(min_explained, "registration.min_explained");
   require_not_negative(max_contradicted, "registration.max_contradicted");
+  require_not_negative(min_effective_points, "registration.min_effective_points");
   require_positive(point_sigma_m, "registration.point_sigma_m");
 }
 

@@ -46,7 +46,10 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
   double open_m = 0.0;
   const double seconds =
       has_last_ ? std::max(0.0, seconds_between(last_sweep_.stamp, sweep.stamp)) : 0.0;
-  if (tracked.status == TrackStatus::kTracked) open_s_ = 0.0;
+  if (tracked.status == TrackStatus::kTracked) {
+    if (open_s_ > 0.0) ++open_stretch_;
+    open_s_ = 0.0;
+  }
   has_odometry_ = has_odometry_ && tracked.has_odometry;
   const auto add_jump = [&](double sigma_m, double sigma_rad) {
     jump_variance_m2_ += sigma_m * sigma_m;
@@ -60,7 +63,8 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
       open_m = std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m);
-      open_sigma_m_ += open_m * u * u.transpose();
+      (tracked.has_odometry ? open_sigma_by_odometry_m_ : open_sigma_m_) +=
+          open_m * u * u.transpose();
       break;
     }
     case TrackStatus::kRecovered:
@@ -94,16 +98,21 @@ MotionCovariance MotionUncertainty::take(double share_of_step) {
       params_.step_sigma_m + params_.sigma_per_metre * std::hypot(moved.x_m, moved.y_m);
   const double sigma_rad =
       params_.step_sigma_rad + params_.sigma_per_turn * std::abs(moved.theta_rad);
+  const Eigen::Matrix2d open_m2 = open_sigma_m_ * open_sigma_m_ +
+                                  open_sigma_by_odometry_m_ * open_sigma_by_odometry_m_;
   MotionCovariance covariance;
   covariance.translation_m2 =
       (share_of_step * sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
-      open_sigma_m_ * open_sigma_m_;
+      open_m2;
+  covariance.open_sigma_m = open_sigma_m_;
+  covariance.open_stretch = open_stretch_;
   covariance.rotation_rad2 = share_of_step * sigma_rad * sigma_rad + jump_variance_rad2_;
   covariance.has_odometry = has_odometry_;
   covariance.is_long_step = is_long_step_;
-  covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + (open_sigma_m_ * open_sigma_m_).trace());
+  covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + open_m2.trace());
   T_odom_keyframe_ = T_odom_last_;
   open_sigma_m_.setZero();
+  open_sigma_by_odometry_m_.setZero();
   jump_variance_m2_ = 0.0;
   jump_variance_rad2_ = 0.0;
   has_odometry_ = true;

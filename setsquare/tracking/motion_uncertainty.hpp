@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <Eigen/Core>
 
@@ -16,6 +17,11 @@ namespace setsquare {
 struct MotionCovariance {
   Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();
   double rotation_rad2 = 0.0;
+  /// Of translation_m2, what an open direction adds where no odometry tells the way along it: the
+  /// sum of sigma u u^T, in m. Until a scan tells the robot's speed that is one error: over the
+  /// motions of an open stretch the sigmas add up, not the variances.
+  Eigen::Matrix2d open_sigma_m = Eigen::Matrix2d::Zero();
+  std::size_t open_stretch = 0;  ///< Counts these stretches.
   /// How far the motion may be off beyond tracking's usual noise: where walls left a direction
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
@@ -56,8 +62,10 @@ class MotionUncertainty {
   bool has_odometry_ = true;   ///< At every scan since the last keyframe.
   Pose2 T_odom_last_;          ///< Of the body at the last scan ...
   Pose2 T_odom_keyframe_;      ///< ... and at the last keyframe.
-  /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m.
+  /// Sum of the ways in which a direction was open, each as sigma x u u^T, in m: without odometry
   Eigen::Matrix2d open_sigma_m_ = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d open_sigma_by_odometry_m_ = Eigen::Matrix2d::Zero();  ///< ... and by it.
+  std::size_t open_stretch_ = 0;
   double jump_variance_m2_ = 0.0;
   double jump_variance_rad2_ = 0.0;
 };

@@ -15,4 +15,11 @@ OpenDirection open_direction(const Eigen::Matrix2d& information_points) {
           .effective_points = 0.5 * information_points.trace() - radius};
 }
 
+Eigen::Matrix3d keeping_open_share(const OpenDirection& open, double share) {
+  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
+  kept.topLeftCorner<2, 2>() -=
+      (1.0 - std::sqrt(share)) * open.direction * open.direction.transpose();
+  return kept;
+}
+
 }  // namespace setsquare

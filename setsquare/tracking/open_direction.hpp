@@ -17,4 +17,9 @@ struct OpenDirection {
 /// The smaller eigenvalue and its eigenvector of a symmetric 2 x 2 matrix (points).
 [[nodiscard]] OpenDirection open_direction(const Eigen::Matrix2d& information_points);
 
+/// Keeps this share, 0 to 1, of what binds the open direction: P of P H P and P g, for normal
+/// equations in (x, y, theta). Walls that run along it bind it all the same, by the noise of their
+/// normals, and they would hold it where it is.
+[[nodiscard]] Eigen::Matrix3d keeping_open_share(const OpenDirection& open, double share);
+
 }  // namespace setsquare

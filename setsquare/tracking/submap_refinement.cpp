@@ -13,17 +13,6 @@ namespace {
 /// Keeps the normal equations solvable where no point binds anything (points x (1, m^2)).
 constexpr double kStepDamping = 1e-3;
 
-/// Takes out what binds the open direction by chance. Walls that run along it bind it all the same,
-/// by the noise of their normals, and they hold it in place: a robot in a bare corridor would
-/// come to rest.
-Eigen::Matrix3d without_chance(const OpenDirection& open, const SubmapRefinementParams& params) {
-  const double share = params.bound_share(open.effective_points);
-  Eigen::Matrix3d kept = Eigen::Matrix3d::Identity();
-  kept.topLeftCorner<2, 2>() -=
-      (1.0 - std::sqrt(share)) * open.direction * open.direction.transpose();
-  return kept;
-}
-
 /// Takes out what binds the turn by chance, and puts the prediction in its place.
 void turn_as_predicted(const SubmapFit& fit,
                        const TrackingProblem& problem,
@@ -45,7 +34,10 @@ void turn_as_predicted(const SubmapFit& fit,
 Eigen::Vector3d step_from(const SubmapFit& fit,
                           const TrackingProblem& problem,
                           const SubmapRefinementParams& params) {
-  const Eigen::Matrix3d kept = without_chance(fit.open, params);
+  // What binds the open direction by chance is taken out: a robot in a bare corridor would come to
+  // rest.
+  const Eigen::Matrix3d kept =
+      keeping_open_share(fit.open, params.bound_share(fit.open.effective_points));
   NormalEquations<3> prediction;
   const double missing_points = params.min_effective_points - fit.open.effective_points;
   if (missing_points > 0.0) {
