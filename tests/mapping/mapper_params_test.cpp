@@ -149,6 +149,22 @@ void add_closing(std::vector<Number>& numbers) {
                 {"agreeing_m", &Joining::agreeing_m},
                 {"agreeing_rad", &Joining::agreeing_rad}},
                numbers);
+  using Audit = AuditParams;
+  add<Audit>([](MapperParams& p) -> Audit& { return p.audit; },
+             "audit.",
+             {{"pairs_per_keyframe", &Audit::pairs_per_keyframe},
+              {"near_m", &Audit::near_m},
+              {"min_way_m", &Audit::min_way_m, Zero::kIsFine},
+              {"revisit_way_m", &Audit::revisit_way_m, Zero::kIsFine},
+              {"off_m", &Audit::off_m},
+              {"off_rad", &Audit::off_rad},
+              {"max_sigmas", &Audit::max_sigmas, Zero::kIsFine},
+              {"part_m", &Audit::part_m},
+              {"alike_m", &Audit::alike_m},
+              {"alike_share", &Audit::alike_share, Zero::kIsFine},
+              {"alike_rad", &Audit::alike_rad},
+              {"min_majority", &Audit::min_majority}},
+             numbers);
 }
 
 TEST(MapperParams, ANumberOutsideItsDomainIsNamed) {
@@ -181,6 +197,8 @@ TEST(MapperParams, ACountOfNoneIsNamed) {
       {"joining.max_num_queries", [](P& p) { p.joining.max_num_queries = 0; }},
       {"joining.num_similar", [](P& p) { p.joining.num_similar = 0; }},
       {"joining.min_agreeing", [](P& p) { p.joining.min_agreeing = 0; }},
+      {"audit.min_num_pairs", [](P& p) { p.audit.min_num_pairs = 0; }},
+      {"audit.min_seconded", [](P& p) { p.audit.min_seconded = 0; }},
   };
   for (const auto& [name, spoil] : counts) {
     EXPECT_EQ(complaint(spoil), "parameter " + name + ": must be at least 1");

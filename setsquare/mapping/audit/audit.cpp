@@ -115,23 +115,23 @@ AuditReport report_of(std::size_t num_pairs,
 }  // namespace
 
 void AuditParams::validate() const {
-  require_positive(pairs_per_keyframe, "pairs_per_keyframe");
-  require_at_least_one(min_num_pairs, "min_num_pairs");
+  require_positive(pairs_per_keyframe, "audit.pairs_per_keyframe");
+  require_at_least_one(min_num_pairs, "audit.min_num_pairs");
   if (max_num_pairs < min_num_pairs) {
-    throw ParameterError("max_num_pairs", "must not be below min_num_pairs");
+    throw ParameterError("audit.max_num_pairs", "must not be below audit.min_num_pairs");
   }
-  require_positive(near_m, "near_m");
-  require_not_negative(min_way_m, "min_way_m");
-  require_not_negative(revisit_way_m, "revisit_way_m");
-  require_positive(off_m, "off_m");
-  require_positive(off_rad, "off_rad");
-  require_not_negative(max_sigmas, "max_sigmas");
-  require_positive(part_m, "part_m");
-  require_positive(alike_m, "alike_m");
-  require_not_negative(alike_share, "alike_share");
-  require_positive(alike_rad, "alike_rad");
-  require_at_least_one(min_seconded, "min_seconded");
-  require_positive(min_majority, "min_majority");
+  require_positive(near_m, "audit.near_m");
+  require_not_negative(min_way_m, "audit.min_way_m");
+  require_not_negative(revisit_way_m, "audit.revisit_way_m");
+  require_positive(off_m, "audit.off_m");
+  require_positive(off_rad, "audit.off_rad");
+  require_not_negative(max_sigmas, "audit.max_sigmas");
+  require_positive(part_m, "audit.part_m");
+  require_positive(alike_m, "audit.alike_m");
+  require_not_negative(alike_share, "audit.alike_share");
+  require_positive(alike_rad, "audit.alike_rad");
+  require_at_least_one(min_seconded, "audit.min_seconded");
+  require_positive(min_majority, "audit.min_majority");
 }
 
 std::vector<MapHypothesis> AuditFindings::hypotheses() const {

@@ -127,10 +127,11 @@ void add_contradictions(const Map& map,
         DoubtKind::kContradictingPairs,
         parts.to,
         map.scans[scan].T_map_base.translation(),
-        text_of(parts.to) + " match " + text_of(parts.from) + " otherwise than the map has them, " +
-            decimals(offset.off_m, 2) + " m and " + decimals(deg_from_rad(offset.off_rad), 1) +
-            " deg off: so say " + std::to_string(parts.num_places) + " pairs, " +
-            std::to_string(parts.num_agreeing) + " agree with the map"));
+        text_of(parts.to) + " match " + text_of(parts.from) + " " + decimals(offset.off_m, 2) +
+            " m and " + decimals(deg_from_rad(offset.off_rad), 1) +
+            " deg off where the map has them: " + std::to_string(parts.num_places) +
+            " independent pairs say so, " + std::to_string(parts.num_agreeing) +
+            " agree with the map"));
   }
 }
 

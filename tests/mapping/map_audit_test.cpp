@@ -1,0 +1,226 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Simulated buildings, with the true trajectory and with one that was bent on purpose.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <string>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/mapping/audit/audit.hpp"
+#include "setsquare/mapping/audit/doubts.hpp"
+#include "setsquare/mapping/audit/trajectory_audit.hpp"
+#include "setsquare/sim/building/building.hpp"
+#include "setsquare/sim/sensing/ray_casting.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
+#include "setsquare/sim/sensing/scanner_model.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
+
+namespace setsquare::map_audit_test {
+
+struct DrivenBuilding {
+  std::vector<Scan> scans;
+  std::vector<Pose2> T_map_sensor;
+};
+
+/// Two scans per second through a building.
+DrivenBuilding driven(BuildingClass building_class, std::uint64_t seed) {
+  const Building building = make_building(building_class, seed);
+  const RobotPath path(building.route_m);
+  const RayCaster caster(building.plan);
+  const ScannerModel scanner = utm_30lx();
+  DrivenBuilding drive;
+  const auto num_scans = static_cast<std::size_t>(path.duration_s() * 2.0);
+  for (std::size_t i = 0; i < num_scans; ++i) {
+    Random random(sub_seed(seed, i));
+    SimulatedScan simulated =
+        simulate_scan(caster, building.people, scanner, path, 0.5 * static_cast<double>(i), random);
+    drive.T_map_sensor.push_back(simulated.T_map_base * simulated.scan.T_base_sensor);
+    drive.scans.push_back(std::move(simulated.scan));
+  }
+  return drive;
+}
+
+/// Everything from the scan on turned and moved about where it was taken.
+std::vector<Pose2> bent_at(std::vector<Pose2> poses, std::size_t scan, const Pose2& T_scan_bent) {
+  const Pose2 T_map_bent = poses[scan] * T_scan_bent * poses[scan].inverse();
+  for (std::size_t i = scan; i < poses.size(); ++i) poses[i] = T_map_bent * poses[i];
+  return poses;
+}
+
+Map audited(const DrivenBuilding& drive,
+            const std::vector<Pose2>& T_map_sensor,
+            const AuditParams& params = {},
+            std::size_t num_threads = 2) {
+  TrajectoryAudit audit(params);
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    const Scan& scan = drive.scans[i];
+    audit.add(scan,
+              {.stamp = scan.stamp,
+               .T_map_sensor = T_map_sensor[i],
+               .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse()});
+  }
+  return audit.finish({}, {}, num_threads);
+}
+
+constexpr BuildingClass kClasses[] = {
+    BuildingClass::kOffice, BuildingClass::kWings, BuildingClass::kCorridor};
+
+TEST(MapAudit, TheTrueTrajectoryIsNotDoubted) {
+  for (const BuildingClass building_class : kClasses) {
+    const DrivenBuilding drive = driven(building_class, 2011);
+    const Map map = audited(drive, drive.T_map_sensor);
+    ASSERT_TRUE(map.audit);
+    EXPECT_GT(map.audit->num_agreeing, 40U);
+    EXPECT_EQ(map.audit->num_seconded, 0U);
+    EXPECT_TRUE(map.doubts.empty()) << map.doubts.front().reason;
+    EXPECT_EQ(map.audit->num_agreeing + map.audit->num_contradicting, map.audit->num_matched);
+    EXPECT_LE(map.audit->num_matched, map.audit->num_pairs);
+  }
+}
+
+TEST(MapAudit, ABentTrajectoryIsDoubtedBehindTheBend) {
+  for (const BuildingClass building_class : kClasses) {
+    const DrivenBuilding drive = driven(building_class, 2012);
+    const std::size_t bend = drive.scans.size() / 2;
+    for (const Pose2 T_scan_bent : {Pose2{0.0, 0.0, rad_from_deg(12.0)}, Pose2{0.7, 0.5, 0.0}}) {
+      const Map map = audited(drive, bent_at(drive.T_map_sensor, bend, T_scan_bent));
+      ASSERT_FALSE(map.doubts.empty());
+      for (const MapDoubt& doubt : map.doubts) {
+        EXPECT_EQ(doubt.kind, DoubtKind::kContradictingPairs);
+        EXPECT_GE(doubt.first_scan, bend) << doubt.reason;
+        const std::size_t last = doubt.first_scan + doubt.num_scans - 1;
+        ASSERT_LT(last, map.scans.size());
+        EXPECT_EQ(doubt.first_stamp.ns, map.scans[doubt.first_scan].stamp.ns);
+        EXPECT_EQ(doubt.last_stamp.ns, map.scans[last].stamp.ns);
+      }
+      EXPECT_GE(map.audit->num_seconded, AuditParams{}.min_seconded);
+    }
+  }
+}
+
+TEST(MapAudit, WithoutSecondsNothingIsDoubted) {
+  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2012);
+  const auto bent =
+      bent_at(drive.T_map_sensor, drive.scans.size() / 2, {0.0, 0.0, rad_from_deg(12.0)});
+  AuditParams params;
+  params.min_seconded = 1000;
+  EXPECT_TRUE(audited(drive, bent, params).doubts.empty());
+}
+
+TEST(MapAudit, AnyNumberOfThreadsSaysTheSame) {
+  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2013);
+  const auto bent = bent_at(drive.T_map_sensor, drive.scans.size() / 3, {0.6, 0.0, 0.1});
+  const Map one = audited(drive, bent, {}, 1);
+  const Map three = audited(drive, bent, {}, 3);
+  EXPECT_EQ(one.audit->num_matched, three.audit->num_matched);
+  EXPECT_EQ(one.audit->num_seconded, three.audit->num_seconded);
+  ASSERT_EQ(one.doubts.size(), three.doubts.size());
+  for (std::size_t i = 0; i < one.doubts.size(); ++i) {
+    EXPECT_EQ(one.doubts[i].reason, three.doubts[i].reason);
+  }
+}
+
+TEST(MapAudit, AMapOfOneScanOrNoneIsNotDoubted) {
+  EXPECT_EQ(TrajectoryAudit().finish({}, {}, 1).audit->num_pairs, 0U);
+  TrajectoryAudit audit;
+  audit.add(driven(BuildingClass::kHall, 2011).scans.front(), {});
+  const Map map = audit.finish({}, {}, 1);
+  EXPECT_EQ(map.audit->num_pairs, 0U);
+  EXPECT_TRUE(map.doubts.empty());
+}
+
+/// A straight track of scans 0.5 m apart, each a keyframe.
+Map straight_map(std::size_t num_scans) {
+  Map map;
+  for (std::size_t i = 0; i < num_scans; ++i) {
+    const Pose2 pose{0.5 * static_cast<double>(i), 0.0, 0.0};
+    map.scans.push_back({.stamp = {}, .T_map_sensor = pose, .T_map_base = pose});
+    map.scans.back().stamp.ns = static_cast<std::int64_t>(i);
+    map.keyframes.push_back(i);
+  }
+  map.pieces = {{0, num_scans, true}};
+  return map;
+}
+
+std::vector<MapDoubt> doubts_without_matches(const Map& map) {
+  AuditFindings findings;
+  findings.track = audited_track(map);
+  return doubts_of(map, findings, {});
+}
+
+TEST(MapDoubts, PiecesThatWereNotJoinedAreOneDoubtEachRow) {
+  Map map = straight_map(100);
+  map.pieces = {{0, 40, true}, {40, 10, false}, {50, 10, false}, {60, 40, true}};
+  for (std::size_t i = 40; i < 60; ++i) map.scans[i].is_placed = false;
+  const auto doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kUnjoinedPiece);
+  EXPECT_EQ(doubts[0].first_scan, 40U);
+  EXPECT_EQ(doubts[0].num_scans, 20U);
+  EXPECT_DOUBLE_EQ(doubts[0].place_m.x(), 19.5) << "where the track was last in the map";
+}
+
+OpenStretch stretch_of(std::size_t first, std::size_t num, double sigma_m) {
+  return {.first_scan = first, .num_scans = num, .way_m = 5.0, .length_sigma_m = sigma_m};
+}
+
+TEST(MapDoubts, AStretchOfUnknownLengthIsDoubtedUnlessMatchesMeasureIt) {
+  Map map = straight_map(100);
+  map.open_stretches = {stretch_of(40, 10, 0.1)};
+  EXPECT_TRUE(doubts_without_matches(map).empty()) << "known to 0.1 m";
+  map.open_stretches = {stretch_of(40, 10, 2.0)};
+  auto doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kUnknownLength);
+  EXPECT_EQ(doubts[0].first_scan, 40U);
+  map.odometry.verdict = OdometryVerdict::kStill;
+  EXPECT_EQ(doubts_without_matches(map)[0].kind, DoubtKind::kRefusedOdometry);
+
+  AuditFindings findings;
+  findings.track = audited_track(map);
+  const auto agreeing = [&](std::size_t from, std::size_t to) {
+    const auto& poses = findings.track.T_map_sensor;
+    return AuditMatch{{from, to}, poses[from].inverse() * poses[to], Eigen::Matrix3d::Identity()};
+  };
+  findings.matches = {agreeing(30, 60), agreeing(30, 35)};
+  EXPECT_EQ(doubts_of(map, findings, {}).size(), 1U) << "one pair across it is not enough";
+  findings.matches.push_back(agreeing(32, 62));
+  EXPECT_TRUE(doubts_of(map, findings, {}).empty());
+  map.open_stretches.push_back(stretch_of(52, 5, 2.0));
+  EXPECT_EQ(doubts_of(map, findings, {}).size(), 2U) << "which of two it was, nobody knows";
+}
+
+TEST(MapDoubts, AStandingRobotAtTheEndIsNoDoubt) {
+  Map map = straight_map(100);
+  map.open_stretches = {stretch_of(95, 5, 2.0)};
+  EXPECT_EQ(doubts_without_matches(map).size(), 1U);
+  map.open_stretches[0].way_m = 0.2;
+  EXPECT_TRUE(doubts_without_matches(map).empty());
+}
+
+MappedClosure closure_of(std::size_t i, std::size_t j, double weight) {
+  MappedClosure closure;
+  closure.scan_i = i;
+  closure.scan_j = j;
+  closure.closure.is_accepted = true;
+  closure.closure.weight = weight;
+  return closure;
+}
+
+TEST(MapDoubts, OutvotedClosuresAreDoubtedWhereTheyOutnumberThoseThatHold) {
+  Map map = straight_map(200);
+  map.closures = {closure_of(20, 150, 0.0), closure_of(23, 153, 0.1), closure_of(90, 180, 0.0)};
+  EXPECT_TRUE(doubts_without_matches(map).empty()) << "two of the same places and a third";
+  map.closures.push_back(closure_of(26, 156, 0.2));
+  const auto doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kOutvotedClosures);
+  EXPECT_EQ(doubts[0].first_scan, 150U);
+  EXPECT_EQ(doubts[0].num_scans, 7U);
+  for (const std::size_t i : {21U, 22U, 24U}) map.closures.push_back(closure_of(i, i + 130, 1.0));
+  EXPECT_TRUE(doubts_without_matches(map).empty()) << "as many hold";
+}
+
+}  // namespace setsquare::map_audit_test
