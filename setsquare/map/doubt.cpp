@@ -14,6 +14,8 @@ const char* to_string(DoubtKind kind) {
       return "piece not joined";
     case DoubtKind::kOutvotedClosures:
       return "outvoted closures";
+    case DoubtKind::kUndecidedTurn:
+      return "undecided turn";
     case DoubtKind::kRefusedOdometry:
       return "refused odometry";
   }

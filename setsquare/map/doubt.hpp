@@ -16,11 +16,12 @@ enum class DoubtKind {
   kUnknownLength,       ///< The walls left a direction open, and nothing else measured the length.
   kUnjoinedPiece,       ///< A piece of the track could not be joined to the map.
   kOutvotedClosures,    ///< Loop closures that were accepted and then contradicted all others.
+  kUndecidedTurn,       ///< The walls turn there: a slip of tracking, or another wing.
   kRefusedOdometry,     ///< The odometry was refused where the walls left a direction open, too.
 };
 
-/// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "refused
-/// odometry".
+/// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "undecided
+/// turn", "refused odometry".
 [[nodiscard]] const char* to_string(DoubtKind kind);
 
 /// A place where the map may be wrong, and why.

@@ -77,6 +77,14 @@ struct OpenStretch {
   double length_sigma_m = 0.0;  ///< Standard deviation of its length, given all other measurements.
 };
 
+/// Scans between which the building's walls turn against the tracked rotation, and no match of
+/// scans tells whether tracking slipped there or walls of another wing begin.
+struct UndecidedTurn {
+  std::size_t first_scan = 0;
+  std::size_t last_scan = 0;
+  double turned_rad = 0.0;
+};
+
 /// The heading of one keyframe's sensor, in rad in the map frame.
 struct MappedHeading {
   double tracked_rad = 0.0;  ///< By tracking alone, drift included.
@@ -103,6 +111,7 @@ struct Map {
   std::vector<TrackPiece> pieces;       ///< One where tracking was never lost for long.
   std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
   std::vector<OpenStretch> open_stretches;
+  std::vector<UndecidedTurn> undecided_turns;
   std::vector<MappedScanner> scanners;  ///< As they came; none by PaperMapper.
   GyroReport gyro;                      ///< What became of its samples, if there were any.
   OdometryReport odometry;              ///< Whether it moved as the scans show.

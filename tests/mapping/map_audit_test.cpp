@@ -192,6 +192,18 @@ TEST(MapDoubts, AStretchOfUnknownLengthIsDoubtedUnlessMatchesMeasureIt) {
   EXPECT_EQ(doubts_of(map, findings, {}).size(), 2U) << "which of two it was, nobody knows";
 }
 
+TEST(MapDoubts, WallsThatTurnedAreOneWhereNoMatchTellsWhy) {
+  Map map = straight_map(100);
+  map.undecided_turns = {{40, 44, rad_from_deg(-9.0)}, {60, 61, rad_from_deg(2.0)}};
+  const auto doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U) << "2 deg are too little to tell";
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kUndecidedTurn);
+  EXPECT_EQ(doubts[0].first_scan, 40U);
+  EXPECT_EQ(doubts[0].num_scans, 5U);
+  map.scans[44].is_placed = false;
+  EXPECT_TRUE(doubts_without_matches(map).empty()) << "not in the map";
+}
+
 TEST(MapDoubts, AStandingRobotAtTheEndIsNoDoubt) {
   Map map = straight_map(100);
   map.open_stretches = {stretch_of(95, 5, 2.0)};

@@ -16,6 +16,8 @@ namespace {
 /// A stretch is of unknown length from this standard deviation on.
 constexpr double kWideSigma_m = 0.5;
 constexpr double kShortEnd_m = 1.0;
+/// Walls that turn by less are hardly another wing, nor is it much of a slip.
+constexpr double kTurned_rad = rad_from_deg(3.0);
 /// Outvoted closures between the same two parts of the track that raise a doubt.
 constexpr std::size_t kMinOutvoted = 3;
 /// Those whose ends are no more scans apart are of the same part.
@@ -211,6 +213,22 @@ void add_unknown_lengths(const Map& map,
   }
 }
 
+void add_undecided_turns(const Map& map, std::vector<MapDoubt>& doubts) {
+  for (const UndecidedTurn& turn : map.undecided_turns) {
+    if (std::abs(turn.turned_rad) < kTurned_rad) continue;
+    if (!map.scans[turn.first_scan].is_placed || !map.scans[turn.last_scan].is_placed) continue;
+    const ScanRange range{turn.first_scan, turn.last_scan};
+    doubts.push_back(doubt_at(map,
+                              DoubtKind::kUndecidedTurn,
+                              range,
+                              middle_of(map, range),
+                              "the walls turn by " +
+                                  decimals(deg_from_rad(std::abs(turn.turned_rad)), 1) +
+                                  " deg: tracking slipped, or another wing begins; no match of " +
+                                  text_of(range) + " tells which"));
+  }
+}
+
 /// Pieces that follow each other make one doubt, where the track was last in the map.
 void add_unjoined(const Map& map, std::vector<MapDoubt>& doubts) {
   for (std::size_t i = 0; i < map.pieces.size(); ++i) {
@@ -293,6 +311,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
   add_contradictions(map, findings, params, doubts);
   add_outvoted_closures(map, doubts);
   add_unknown_lengths(map, findings, params, doubts);
+  add_undecided_turns(map, doubts);
   add_unjoined(map, doubts);
   return doubts;
 }
