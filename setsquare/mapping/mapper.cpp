@@ -132,8 +132,16 @@ class Mapper::Parts {
   [[nodiscard]] std::size_t next_closing(std::size_t num_closed) const;
   /// What the log's sensors turned out to be, whatever is mapped.
   void add_sensors(Map& map) const;
-  /// What the scans say of the finished map.
-  void add_audit(Map& map) const;
+  /// The map by the loops that were closed.
+  [[nodiscard]] Map map_of(const Closed& closed) const;
+  /// Matches scans of the map, and where they contradict it alike closes the loops again by them;
+  /// the new map stays if it explains more of all matches. Then the doubts that are left.
+  void audit_and_mend(Closed& closed, Map& map) const;
+  /// All loops closed again, with those that the hypotheses tell.
+  [[nodiscard]] Closed closed_with(const Closed& closed,
+                                   const std::vector<MapHypothesis>& hypotheses) const;
+  /// From the first keyframe on, as the track grows.
+  void close_all_loops(Closed& closed) const;
   /// The graph's poses after registration of all keyframes.
   [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
                                                     const PoseGraph& graph) const;
@@ -290,10 +298,7 @@ Mapper::Parts::Closed Mapper::Parts::close_across_pieces() const {
                 .closer = LoopCloser(params_.closing),
                 .joined = std::move(joined)};
   closed.closer.add_joints(closed.joined.joints);
-  for (std::size_t end = 0; end < track_.size();) {
-    end = std::min(next_closing(end), track_.size());
-    close_loops(closed.headings.heading_rad, end, closed.closer);
-  }
+  close_all_loops(closed);
   return closed;
 }
 
@@ -303,7 +308,13 @@ Map Mapper::Parts::finish() const {
     add_sensors(map);
     return map;
   }
-  const Closed closed = track_.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
+  Closed closed = track_.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
+  Map map = map_of(closed);
+  if (params_.audit.is_on) audit_and_mend(closed, map);
+  return map;
+}
+
+Map Mapper::Parts::map_of(const Closed& closed) const {
   PoseGraph graph = graph_along(closed.headings.heading_rad, closed.closer);
   graph.headings = heading_measurements(closed.headings);
   if (track_.size() > 1) {
@@ -326,7 +337,6 @@ Map Mapper::Parts::finish() const {
                           .graph = graph});
   add_sensors(map);
   add_certainty(map);
-  if (params_.audit.is_on) add_audit(map);
   return map;
 }
 
@@ -339,11 +349,50 @@ void Mapper::Parts::add_sensors(Map& map) const {
   map.num_with_odometry = num_with_odometry_;
 }
 
-void Mapper::Parts::add_audit(Map& map) const {
+void Mapper::Parts::audit_and_mend(Closed& closed, Map& map) const {
   std::vector<ScanSurfacesPtr> surfaces;
   surfaces.reserve(track_.size());
   for (const KeyframePtr& keyframe : track_.keyframes) surfaces.push_back(keyframe->surfaces);
-  audit_map(map, surfaces, params_.audit, params_.num_threads);
+  const auto audited = [&](const Map& audited_map) {
+    return audit(audited_map, surfaces, params_.audit, params_.num_threads);
+  };
+  AuditFindings findings = audited(map);
+  for (int round = 0; round < params_.audit.max_mendings && !findings.hypotheses().empty();
+       ++round) {
+    Closed mended = closed_with(closed, findings.hypotheses());
+    Map mended_map = map_of(mended);
+    AuditFindings of_mended = audited(mended_map);
+    if (!explains_more(of_mended.report, findings.report)) break;
+    closed = std::move(mended);
+    map = std::move(mended_map);
+    findings = std::move(of_mended);
+  }
+  add_findings(findings, params_.audit, map);
+}
+
+Mapper::Parts::Closed Mapper::Parts::closed_with(
+    const Closed& closed, const std::vector<MapHypothesis>& hypotheses) const {
+  Closed mended{
+      .headings = closed.headings, .closer = LoopCloser(params_.closing), .joined = closed.joined};
+  for (const MapHypothesis& hypothesis : hypotheses) {
+    ComparedPlaces places;
+    places.from = hypothesis.keyframe_from;
+    places.to = hypothesis.keyframe_to;
+    places.T_from_to = hypothesis.T_from_to;
+    places.information = hypothesis.information;
+    places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
+    mended.joined.joints.push_back(places);
+  }
+  mended.closer.add_joints(mended.joined.joints);
+  close_all_loops(mended);
+  return mended;
+}
+
+void Mapper::Parts::close_all_loops(Closed& closed) const {
+  for (std::size_t end = 0; end < track_.size();) {
+    end = std::min(next_closing(end), track_.size());
+    close_loops(closed.headings.heading_rad, end, closed.closer);
+  }
 }
 
 std::vector<Pose2> Mapper::Parts::registered_poses(const LoopCloser& closer,

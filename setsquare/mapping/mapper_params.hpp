@@ -109,7 +109,7 @@ struct RegistrationParams {
   double max_contradicted = 0.15;  ///< Of the points compared.
   /// A direction bound by fewer effective points is left open, as in SubmapRefinementParams.
   double min_effective_points = 3.0;
-  double point_sigma_m = 0.10;     ///< As in LoopCloserParams.
+  double point_sigma_m = 0.10;  ///< As in LoopCloserParams.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -165,6 +165,8 @@ struct AuditParams {
   /// Places that must ask for the same correction; and how many times more than agree.
   std::size_t min_seconded = 3;
   double min_majority = 2.0;
+  /// Times that loops are closed again by what contradicts the map, if that explains more.
+  int max_mendings = 2;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/audit/doubts.hpp"
@@ -132,6 +133,7 @@ void AuditParams::validate() const {
   require_positive(alike_rad, "audit.alike_rad");
   require_at_least_one(min_seconded, "audit.min_seconded");
   require_positive(min_majority, "audit.min_majority");
+  if (max_mendings < 0) throw ParameterError("audit.max_mendings", "must not be negative");
 }
 
 std::vector<MapHypothesis> AuditFindings::hypotheses() const {
@@ -169,13 +171,21 @@ AuditFindings audit(const Map& map,
   return findings;
 }
 
+void add_findings(const AuditFindings& findings, const AuditParams& params, Map& map) {
+  map.audit = findings.report;
+  map.doubts = doubts_of(map, findings, params);
+}
+
+bool explains_more(const AuditReport& mended, const AuditReport& before) {
+  return mended.num_seconded < before.num_seconded &&
+         mended.num_agreeing * before.num_matched > before.num_agreeing * mended.num_matched;
+}
+
 void audit_map(Map& map,
                std::span<const ScanSurfacesPtr> surfaces,
                const AuditParams& params,
                std::size_t num_threads) {
-  const AuditFindings findings = audit(map, surfaces, params, num_threads);
-  map.audit = findings.report;
-  map.doubts = doubts_of(map, findings, params);
+  add_findings(audit(map, surfaces, params, num_threads), params, map);
 }
 
 }  // namespace setsquare

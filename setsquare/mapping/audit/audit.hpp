@@ -47,7 +47,14 @@ struct AuditFindings {
                                   const AuditParams& params,
                                   std::size_t num_threads);
 
-/// The same, written into the map: Map::audit and Map::doubts.
+/// Writes them into the map: Map::audit and Map::doubts.
+void add_findings(const AuditFindings& findings, const AuditParams& params, Map& map);
+
+/// Whether a map explains more of all matches than another: a larger share agrees with it, and
+/// fewer contradict it alike.
+[[nodiscard]] bool explains_more(const AuditReport& mended, const AuditReport& before);
+
+/// Both: audit() and add_findings().
 void audit_map(Map& map,
                std::span<const ScanSurfacesPtr> surfaces,
                const AuditParams& params,
