@@ -108,7 +108,7 @@ struct RegistrationParams {
   double max_contradicted = 0.15;  ///< Of the points compared.
   /// A direction bound by fewer effective points is left open, as in SubmapRefinementParams.
   double min_effective_points = 3.0;
-  double point_sigma_m = 0.10;     ///< As in LoopCloserParams.
+  double point_sigma_m = 0.10;  ///< As in LoopCloserParams.
 
   /// Throws ParameterError that names the field.
   void validate() const;

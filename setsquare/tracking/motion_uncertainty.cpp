@@ -98,8 +98,8 @@ MotionCovariance MotionUncertainty::take(double share_of_step) {
       params_.step_sigma_m + params_.sigma_per_metre * std::hypot(moved.x_m, moved.y_m);
   const double sigma_rad =
       params_.step_sigma_rad + params_.sigma_per_turn * std::abs(moved.theta_rad);
-  const Eigen::Matrix2d open_m2 = open_sigma_m_ * open_sigma_m_ +
-                                  open_sigma_by_odometry_m_ * open_sigma_by_odometry_m_;
+  const Eigen::Matrix2d open_m2 =
+      open_sigma_m_ * open_sigma_m_ + open_sigma_by_odometry_m_ * open_sigma_by_odometry_m_;
   MotionCovariance covariance;
   covariance.translation_m2 =
       (share_of_step * sigma_m * sigma_m + jump_variance_m2_) * Eigen::Matrix2d::Identity() +
