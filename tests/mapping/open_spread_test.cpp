@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
 
@@ -106,8 +107,7 @@ TEST(OpenSpread, ABentCorridorIsOpenAlongItself) {
 
 /// Closures between neighbours but five, as a bare corridor gives them: right across but for 4 mm,
 /// open along a direction that is off by 0.1 deg, and along it nobody knows.
-PoseGraph corridor_with_closures(const KeyframeTrack& track) {
-  std::mt19937_64 generator = testing::make_generator();
+PoseGraph corridor_with_closures(const KeyframeTrack& track, std::mt19937_64& generator) {
   std::normal_distribution<double> normal(0.0, 1.0);
   const std::vector<double> headings_rad(track.size(), 0.0);
   PoseGraph graph = pose_graph_of(track, headings_rad);
@@ -130,15 +130,22 @@ PoseGraph corridor_with_closures(const KeyframeTrack& track) {
 TEST(OpenSpread, ClosuresAcrossACorridorDoNotSetItsLength) {
   const KeyframeTrack track = corridor(100);
   const double length_m = 100 * kStep_m;
-  PoseGraph graph = corridor_with_closures(track);
-  EXPECT_GT(std::abs(solve_positions(graph).back().x() - length_m), 2.0) << "without the rule";
-  loosen_across(track.size() - 1, false, graph);
-  EXPECT_LT(std::abs(solve_positions(graph).back().x() - length_m), 0.5);
+  std::mt19937_64 generator = testing::make_generator();
+  double worst_without_m = 0.0;
+  for (int draw = 0; draw < 20; ++draw) {
+    PoseGraph graph = corridor_with_closures(track, generator);
+    const auto off_m = [&] { return std::abs(solve_positions(graph).back().x() - length_m); };
+    worst_without_m = std::max(worst_without_m, off_m());
+    loosen_across(track.size() - 1, false, graph);
+    EXPECT_LT(off_m(), 0.5);
+  }
+  EXPECT_GT(worst_without_m, 1.0) << "without the rule";
 }
 
 TEST(OpenSpread, AClosureAcrossAWayThatIsKnownCountsInFull) {
   const KeyframeTrack track = corridor(20);
-  PoseGraph graph = corridor_with_closures(track);
+  std::mt19937_64 generator = testing::make_generator();
+  PoseGraph graph = corridor_with_closures(track, generator);
   const std::size_t first = track.size() - 1;  // The first closure, from 0 to 5.
   Constraint both;
   both.to = 5;
