@@ -127,6 +127,30 @@ TEST(MotionUncertainty, AScanThatTellsTheSpeedEndsTheDoubt) {
       uncertainty.take().slip_sigma_m, 0.1 * 0.1 * kParams.open_acceleration_m_per_s2, 1e-9);
 }
 
+// Between keyframes the error stays one: the graph is told which motions share it.
+TEST(MotionUncertainty, MotionsOfOneOpenStretchAreToldApartFromThoseOfTheNext) {
+  MotionUncertainty uncertainty(kParams);
+  uncertainty.add(at({}), after(0.0));
+  std::vector<MotionCovariance> motions;
+  for (int i = 1; i <= 12; ++i) {
+    const bool tells_speed = i == 7;
+    uncertainty.add(tells_speed ? at({}) : open_along(0.3, {}), after(0.1 * i));
+    if (i % 3 == 0) motions.push_back(uncertainty.take());
+  }
+  EXPECT_EQ(motions[0].open_stretch, motions[1].open_stretch);
+  EXPECT_NE(motions[1].open_stretch, motions[2].open_stretch);
+  EXPECT_EQ(motions[2].open_stretch, motions[3].open_stretch);
+  for (const MotionCovariance& motion : motions) {
+    EXPECT_GT(motion.open_sigma_m.trace(), 0.0);
+    EXPECT_NEAR(motion.open_sigma_m.trace(), motion.slip_sigma_m, 1e-9);
+  }
+}
+
+TEST(MotionUncertainty, WithOdometryErrorsOfKeyframesAreIndependent) {
+  EXPECT_TRUE(
+      covariance_of({at({}), open_along(0.3, {0.4, 0.0, 0.0})}, true).open_sigma_m.isZero(0.0));
+}
+
 TEST(MotionUncertainty, SigmasOfAnOpenDirectionAddUp) {
   // The same way in one scan or in eight: errors of neighbouring scans are correlated.
   std::vector<TrackedPose> many = {at({})};
