@@ -41,6 +41,16 @@ AuditMatch moved_match(const AuditedTrack& track,
   return {{from, to}, track.T_map_sensor[from].inverse() * moved, Eigen::Matrix3d::Identity()};
 }
 
+/// A match that would have the map corrected by a rigid motion about the later keyframe.
+AuditMatch corrected_match(const AuditedTrack& track,
+                           std::size_t from,
+                           std::size_t to,
+                           const Pose2& T_map_corrected) {
+  return {{from, to},
+          track.T_map_sensor[from].inverse() * T_map_corrected * track.T_map_sensor[to],
+          Eigen::Matrix3d::Identity()};
+}
+
 /// Matches of so many places, 1 m apart, that would have the way back moved.
 std::vector<AuditMatch> moved_matches(const AuditedTrack& track,
                                       std::size_t first,
@@ -122,7 +132,12 @@ TEST(AuditContradictions, WhatAgreesElsewhereDoesNotCount) {
 TEST(AuditContradictions, CornersThatLookAlikeTurnedAreNoErrorOfTracking) {
   AuditedTrack track = there_and_back();
   for (const double turn_rad : {kQuarterTurn, kPi, -kQuarterTurn}) {
-    const auto matches = moved_matches(track, 60, 5, {0.4, 0.0, turn_rad});
+    const Pose2 T_map_middle{32.0, 0.5, 0.0};
+    const Pose2 turned = T_map_middle * Pose2{0.0, 0.0, turn_rad} * T_map_middle.inverse();
+    std::vector<AuditMatch> matches;
+    for (std::size_t k = 60; k < 70; k += 2) {
+      matches.push_back(corrected_match(track, k, beside(k), turned));
+    }
     EXPECT_FALSE(raises_doubt(matches, track)) << turn_rad;
     // Where tracking began anew nothing is known of the turn.
     track.restarts = {kHalf};

@@ -161,6 +161,8 @@ void add_map(CLI::App& application) {
       "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
       "trajectory.tum (one pose per scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
       "of them at the end, or none. docs/formats.md describes them.\n"
+      "Pairs of scans are matched against the finished map; the first line says whether they "
+      "agree.\n"
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
       "  setsquare map intel.clf -o out --no-odometry\n"
