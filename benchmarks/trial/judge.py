@@ -4,12 +4,12 @@
 
 The map is laid onto the truth where its spreads count from: the first pose that is placed lies on
 its truth, and the rotation about it is the best for all placed poses, positions weighted by the
-spread reported for each (at least 0.05 m) and headings by 1 deg. So a map that states a wide spread
+spread reported for each (at least 0.05 m) and headings likewise (1 deg). So a map that states a wide spread
 behind a corridor is turned by what it is sure of, and a bend is an error of what lies behind it.
 
 A placed pose is wrong and silent if
 - it is off by more than 0.5 m and by more than three times the standard deviation of its position,
-  or by more than 5 deg: no spread is reported for headings, so none excuses them; and
+  or by more than 5 deg and by more than three times that of its heading; and
 - nothing that is reported doubts it: a finding about the scans of the whole log. A scan that is
   lost, or in a piece that was not joined, does not count as placed.
 What is said of the odometry is no doubt: the map is to be right all the same."""
@@ -18,7 +18,7 @@ import math
 import statistics
 
 FAR_M, FAR_DEG, NUM_SIGMAS = 0.5, 5.0, 3.0
-LEAST_SIGMA_M = 0.001  # What the outputs resolve.
+LEAST_SIGMA_M, LEAST_SIGMA_DEG = 0.001, 0.01  # What the outputs resolve.
 # Findings that say of all scans that a map by them is not to be trusted.
 DOUBTS = {"range_unit", "stamp_unit", "no_returns", "few_beams", "field_of_view", "mirrored",
           "scans_stand"}
@@ -26,10 +26,11 @@ DOUBTS = {"range_unit", "stamp_unit", "no_returns", "few_beams", "field_of_view"
 
 @dataclasses.dataclass
 class MappedPose:
-    """A scan as the map has it: pose (m, rad), standard deviation of the position (m), whether it
-    has a place, and what is doubted there."""
+    """A scan as the map has it: pose (m, rad), standard deviations of the position (m) and of the
+    heading (deg), whether it has a place, and what is doubted there."""
     pose: tuple
     sigma_m: float = 0.0
+    sigma_deg: float = 0.0
     is_placed: bool = True
     doubts: tuple = ()
 
@@ -42,7 +43,8 @@ class Verdict:
     errors_deg: list
     num_wrong: int       # Placed poses that are off by more than is allowed and reported.
     num_silent: int      # Of these, without a doubt.
-    num_beyond: int      # Placed poses off by more than three standard deviations, however little.
+    num_beyond: int      # Placed poses off by more than three standard deviations, however little,
+    num_turned: int      # and those of which the heading is.
     first_silent: int    # Scan, -1 where there is none.
     doubts: tuple = ()
 
@@ -56,7 +58,7 @@ class Verdict:
         return {"poses": self.num_poses, "placed": self.num_placed,
                 "median_m": statistics.median(self.errors_m) if self.errors_m else None, **worst,
                 "wrong": self.num_wrong, "silent": self.num_silent, "beyond": self.num_beyond,
-                "first_silent": self.first_silent, "doubts": list(self.doubts)}
+                "turned": self.num_turned, "first_silent": self.first_silent, "doubts": list(self.doubts)}
 
 
 def _turned_onto(truth, mapped):
@@ -66,7 +68,7 @@ def _turned_onto(truth, mapped):
     for (x, y, h), placed in zip(truth, mapped):
         (u, v, g) = placed.pose
         weight = 1.0 / (placed.sigma_m ** 2 + 0.05 ** 2)
-        of_heading = 1.0 / math.radians(1.0) ** 2
+        of_heading = 1.0 / (math.radians(placed.sigma_deg) ** 2 + math.radians(1.0) ** 2)
         cross += weight * ((u - u0) * (y - y0) - (v - v0) * (x - x0)) + of_heading * math.sin(h - g)
         dot += weight * ((u - u0) * (x - x0) + (v - v0) * (y - y0)) + of_heading * math.cos(h - g)
     return math.atan2(cross, dot)
@@ -91,12 +93,14 @@ def judge(truth, mapped):
     errors = errors_of([truth[i] for i in placed], [mapped[i] for i in placed]) if placed else []
     doubts = {doubt for pose in mapped if pose is not None for doubt in pose.doubts}
     verdict = Verdict(len(truth), len(placed), [m for m, _ in errors], [d for _, d in errors], 0, 0,
-                      0, -1, tuple(sorted(doubts)))
+                      0, 0, -1, tuple(sorted(doubts)))
     for i, (off_m, off_deg) in zip(placed, errors):
         sigma_m = max(mapped[i].sigma_m, LEAST_SIGMA_M)
         is_beyond = off_m > NUM_SIGMAS * sigma_m
+        is_turned = off_deg > NUM_SIGMAS * max(mapped[i].sigma_deg, LEAST_SIGMA_DEG)
         verdict.num_beyond += is_beyond
-        if not (off_m > FAR_M and is_beyond) and off_deg <= FAR_DEG:
+        verdict.num_turned += is_turned
+        if not (off_m > FAR_M and is_beyond) and not (off_deg > FAR_DEG and is_turned):
             continue
         verdict.num_wrong += 1
         if not mapped[i].doubts:

@@ -1,14 +1,11 @@
 # SPDX-FileCopyrightText: 2026 The Setsquare authors
 # SPDX-License-Identifier: Apache-2.0
 """What `setsquare map` wrote about each scan."""
-import base64
+import csv
 import json
 import math
-import re
 
 from trial.judge import DOUBTS, MappedPose
-
-REPORT = re.compile(r'<script type="application/json" id="report">(.*?)</script>', re.DOTALL)
 
 
 def poses_of(path):
@@ -18,27 +15,25 @@ def poses_of(path):
             for row in rows]
 
 
-def _unpacked(text):
-    """A column of report.html: differences, signs in the lowest bit, seven bits a byte."""
-    values, value, folded, shift = [], 0, 0, 0
-    for byte in base64.b64decode(text):
-        folded |= (byte & 127) << shift
-        shift += 7
-        if byte & 128:
-            continue
-        value += -(folded + 1) // 2 if folded % 2 else folded // 2
-        values.append(value)
-        folded = shift = 0
-    return values
+def _largest_sigma(sigma_x, sigma_y, correlation):
+    """Of a position, along its least certain direction."""
+    mean, half = 0.5 * (sigma_x ** 2 + sigma_y ** 2), 0.5 * (sigma_x ** 2 - sigma_y ** 2)
+    return math.sqrt(mean + math.hypot(half, correlation * sigma_x * sigma_y))
 
 
-def _sigmas_m(folder):
-    report = json.loads(REPORT.search((folder / "report.html").read_text()).group(1))
-    return [1e-3 * max(0, value) for value in _unpacked(report["poses"]["sigma"])]
-
-
-def _scans(part):
-    return range(part["first_scan"], part["first_scan"] + part["num_scans"])
+def _mapped_pose(row, whole):
+    """Of a row of poses.tsv. Its own doubts but "lost" and "not_joined" name its spreads again: they
+    excuse no more than those."""
+    pose = (float(row["x_m"]), float(row["y_m"]), math.radians(float(row["heading_deg"])))
+    doubts = tuple(row["doubts"].split(",")) if row["doubts"] != "-" else ()
+    has_place = row["placed"] == "1" and "lost" not in doubts
+    sigma_m = sigma_deg = 0.0
+    if has_place:
+        sigma_m = _largest_sigma(*(float(row[name]) for name in (
+            "sigma_x_m", "sigma_y_m", "correlation_xy")))
+        sigma_deg = float(row["sigma_heading_deg"])
+    lost = tuple(doubt for doubt in doubts if doubt in ("lost", "not_joined"))
+    return MappedPose(pose, sigma_m, sigma_deg, has_place, whole + lost)
 
 
 def mapped_poses(folder):
@@ -46,17 +41,10 @@ def mapped_poses(folder):
     open stretch doubts no pose in it, but none there is surer than the stretch's length is."""
     run = json.loads((folder / "run.json").read_text())
     whole = tuple(f["kind"] for f in run["findings"] if f["kind"] in DOUBTS)
-    poses = poses_of(folder / "trajectory.tum")
-    mapped = [MappedPose(pose, sigma_m, True, whole)
-              for (_, pose), sigma_m in zip(poses, _sigmas_m(folder), strict=True)]
-    for piece in run["pieces"]:
-        for scan in _scans(piece):
-            mapped[scan].is_placed = piece["joined"]
-    for stretch in run["stretches"]:
-        for scan in _scans(stretch) if stretch["status"] == "lost" else ():
-            mapped[scan].is_placed = False
-            mapped[scan].doubts += ("lost",)
+    with open(folder / "poses.tsv", encoding="ascii", newline="") as table:
+        rows = list(csv.DictReader(table, delimiter="\t"))
+    mapped = [_mapped_pose(row, whole) for row in rows]
     for stretch in run["open_stretches"]:
-        for scan in _scans(stretch):
+        for scan in range(stretch["first_scan"], stretch["first_scan"] + stretch["num_scans"]):
             mapped[scan].sigma_m = max(mapped[scan].sigma_m, stretch["length_sigma_m"])
-    return {stamp: pose for (stamp, _), pose in zip(poses, mapped)}, run
+    return {row["stamp"]: pose for row, pose in zip(rows, mapped)}, run

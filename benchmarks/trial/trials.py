@@ -85,7 +85,7 @@ def run_trial(command, trial, keep=None):
                     folder / "map")
         found = {"kind": trial.kind, "level": level.name, "seed": trial.seed}
         if done.returncode != 0:
-            return {**found, "poses": len(scans), "placed": 0, "silent": 0, "wrong": 0, "beyond": 0,
+            return {**found, "poses": len(scans), "placed": 0, "silent": 0, "wrong": 0, "beyond": 0, "turned": 0,
                     "doubts": ["no map"], "error": done.stderr.strip()}
         mapped, run = mapped_poses(folder / "map")
         return {**found, **judged(scans, mapped).as_json(),

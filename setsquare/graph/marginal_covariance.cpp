@@ -54,6 +54,14 @@ struct MarginalCovariance::Factor {
     const Eigen::Matrix2d result = J_transposed.transpose() * equations.solve(J_transposed);
     return 0.5 * (result + result.transpose());
   }
+
+  [[nodiscard]] double heading(std::size_t node) const {
+    if (node == 0 && equations.is_heading_held()) return 0.0;
+    const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
+    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(num_unknowns, 1);
+    unit(3 * static_cast<Eigen::Index>(node) + 2, 0) = 1.0;
+    return unit.cwiseProduct(equations.solve(unit)).sum();
+  }
 };
 
 MarginalCovariance::MarginalCovariance(const PoseGraph& graph)
@@ -86,6 +94,11 @@ Eigen::Matrix2d MarginalCovariance::of_way(std::size_t from, std::size_t to) con
   assert(from < factor_->graph.T_map_node.size());
   assert(to < factor_->graph.T_map_node.size());
   return factor_->way(from, to);
+}
+
+double MarginalCovariance::of_heading(std::size_t node) const {
+  assert(node < factor_->graph.T_map_node.size());
+  return factor_->heading(node);
 }
 
 }  // namespace setsquare

@@ -29,6 +29,10 @@ class MarginalCovariance {
   /// position where `from` is node 0. Unlike between() it is free of the heading of `from`.
   [[nodiscard]] Eigen::Matrix2d of_way(std::size_t from, std::size_t to) const;
 
+  /// Variance of a node's heading in the map frame, in rad^2; 0 of node 0 where no heading was
+  /// measured: then it is held.
+  [[nodiscard]] double of_heading(std::size_t node) const;
+
  private:
   struct Factor;
   std::unique_ptr<Factor> factor_;

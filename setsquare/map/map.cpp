@@ -20,14 +20,39 @@ const char* to_string(TrackStatus status) {
   return "unknown";
 }
 
+namespace {
+
+StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
+  return {scan.stamp, pose_of == PoseOf::kSensor ? scan.T_map_sensor : scan.T_map_base};
+}
+
+}  // namespace
+
 Trajectory trajectory_of(const Map& map, PoseOf pose_of) {
   Trajectory trajectory;
   trajectory.reserve(map.scans.size());
   for (const MappedScan& scan : map.scans) {
-    trajectory.push_back(
-        {scan.stamp, pose_of == PoseOf::kSensor ? scan.T_map_sensor : scan.T_map_base});
+    if (scan.is_placed) trajectory.push_back(pose_from(scan, pose_of));
   }
   return trajectory;
+}
+
+Trajectory trajectory_of(const Map& map, const TrackPiece& piece, PoseOf pose_of) {
+  Trajectory trajectory;
+  trajectory.reserve(piece.num_scans);
+  for (std::size_t i = 0; i < piece.num_scans; ++i) {
+    trajectory.push_back(pose_from(map.scans[piece.first_scan + i], pose_of));
+  }
+  return trajectory;
+}
+
+std::vector<MappedClosure> closures_of_placed(const Map& map) {
+  std::vector<MappedClosure> placed;
+  for (const MappedClosure& closure : map.closures) {
+    if (!map.scans[closure.scan_i].is_placed || !map.scans[closure.scan_j].is_placed) continue;
+    placed.push_back(closure);
+  }
+  return placed;
 }
 
 std::vector<LoopClosure> closures_of(const Map& map) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <vector>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/core/loop_closure.hpp"
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/core/timestamp.hpp"
@@ -40,9 +41,23 @@ struct MappedScan {
   /// How far off the motion from the last scan may be (sigma), along the direction in the map that
   /// the walls leave open; zero where they leave none.
   Eigen::Vector2d open_sigma_m = Eigen::Vector2d::Zero();
+  /// Whether the walls leave its turn open, as those of an empty round hall do: all face its
+  /// middle.
+  bool is_turn_open = false;
+  double open_turn_sigma_rad = 0.0;  ///< How far off the turn from the last scan may be, then, ...
+  /// ... and how a turn by 1 rad moves the sensor in the map: what a turn about the middle does.
+  Eigen::Vector2d open_turn_motion_m = Eigen::Vector2d::Zero();
   /// Standard deviation of the position along its least certain direction, against the first
   /// keyframe of the map; infinite where it is not placed, NaN where there is no graph.
   double position_sigma_m = std::numeric_limits<double>::quiet_NaN();
+  /// The position's covariance in the map frame, against the same keyframe. Infinite and NaN alike,
+  /// on its diagonal.
+  Eigen::Matrix2d position_covariance_m2 =
+      std::numeric_limits<double>::quiet_NaN() * Eigen::Matrix2d::Identity();
+  /// Standard deviation of the heading, against the building's walls where they were surely known
+  /// again, else against the first keyframe; pi / sqrt(3) where nothing is known of it. Infinite
+  /// and NaN as the position's.
+  double heading_sigma_rad = std::numeric_limits<double>::quiet_NaN();
 };
 
 /// A whole scan that the map keeps to draw walls with. That of a keyframe shares the keyframe's
@@ -66,7 +81,8 @@ struct TrackPiece {
   bool is_joined = true;  ///< To the largest piece; otherwise its place in the map is not known.
 };
 
-/// A stretch along which the scans left one direction open: a bare corridor.
+/// A stretch along which the scans left one direction open, a bare corridor, or the turn, a round
+/// hall.
 struct OpenStretch {
   std::size_t first_scan = 0;
   std::size_t num_scans = 0;
@@ -75,6 +91,8 @@ struct OpenStretch {
   double direction_rad = 0.0;   ///< The open direction in the map frame, modulo pi.
   bool has_odometry = false;    ///< Whether odometry stood in all along.
   double length_sigma_m = 0.0;  ///< Standard deviation of its length, given all other measurements.
+  bool is_turn = false;         ///< The turn is open, not a direction: a round hall.
+  double heading_sigma_rad = 0.0;  ///< Of its least certain scan, where the turn is open.
 };
 
 /// Scans between which the building's walls turn against the tracked rotation, and no match of
@@ -126,11 +144,22 @@ struct Map {
   std::vector<MapDoubt> doubts;      ///< Where it may be wrong; empty where it was not audited.
 };
 
+/// A heading whose standard deviation is above this is told to be open.
+inline constexpr double kOpenHeading_rad = rad_from_deg(5.0);
+
 /// Whose poses a trajectory holds.
 enum class PoseOf { kBase, kSensor };
 
-/// The pose of every scan, in the order in which they came.
+/// The poses of the scans that are placed, in the order in which they came.
 [[nodiscard]] Trajectory trajectory_of(const Map& map, PoseOf pose_of = PoseOf::kBase);
+
+/// Those of one piece, joined or not: else in a frame of its own.
+[[nodiscard]] Trajectory trajectory_of(const Map& map,
+                                       const TrackPiece& piece,
+                                       PoseOf pose_of = PoseOf::kBase);
+
+/// The closures both of whose scans are placed: those that the map shows and counts.
+[[nodiscard]] std::vector<MappedClosure> closures_of_placed(const Map& map);
 
 /// The closures without the scans, accepted and refused.
 [[nodiscard]] std::vector<LoopClosure> closures_of(const Map& map);

@@ -23,13 +23,15 @@ void count_scans(const Map& map, MapSummary& summary) {
     summary.num_degenerate += status == TrackStatus::kDegenerate;
     summary.num_recovered += status == TrackStatus::kRecovered;
     summary.num_lost += status == TrackStatus::kLost;
-    if (i > 0) summary.path_m += step_m(map, i);
+    const bool is_step = i > 0 && map.scans[i].is_placed && map.scans[i - 1].is_placed;
+    if (is_step) summary.path_m += step_m(map, i);
   }
 }
 
 void count_closures(const Map& map, MapSummary& summary) {
-  summary.num_compared_closures = map.closures.size();
-  for (const MappedClosure& mapped : map.closures) {
+  const std::vector<MappedClosure> closures = closures_of_placed(map);
+  summary.num_compared_closures = closures.size();
+  for (const MappedClosure& mapped : closures) {
     const LoopClosure& closure = mapped.closure;
     if (!closure.is_accepted) continue;
     ++summary.num_accepted_closures;
@@ -52,6 +54,8 @@ MapSummary summary_of(const Map& map) {
     summary.open_m += stretch.way_m;
     summary.open_s += stretch.duration_s;
     summary.worst_length_sigma_m = std::max(summary.worst_length_sigma_m, stretch.length_sigma_m);
+    const bool is_heading_open = stretch.is_turn && stretch.heading_sigma_rad > kOpenHeading_rad;
+    if (is_heading_open) summary.open_headings.push_back(stretch);
   }
   return summary;
 }

@@ -17,9 +17,9 @@ struct MapSummary {
   std::size_t num_degenerate = 0;
   std::size_t num_recovered = 0;
   std::size_t num_lost = 0;
-  double path_m = 0.0;  ///< Travelled along the trajectory.
+  double path_m = 0.0;  ///< Travelled along the trajectory, from one placed scan to the next.
 
-  std::size_t num_compared_closures = 0;
+  std::size_t num_compared_closures = 0;  ///< Of placed scans, as all that follow.
   std::size_t num_accepted_closures = 0;
   std::size_t num_one_axis_closures = 0;  ///< Of the accepted.
   std::size_t num_outvoted_closures = 0;  ///< Of the accepted: final weight below one half.
@@ -29,6 +29,7 @@ struct MapSummary {
   double open_m = 0.0;                ///< Travelled along open stretches, as far as is known, ...
   double open_s = 0.0;                ///< ... in this time.
   double worst_length_sigma_m = 0.0;  ///< Of the least certain open stretch.
+  std::vector<OpenStretch> open_headings;  ///< Those whose turn is open, by more than is usual.
 };
 
 [[nodiscard]] MapSummary summary_of(const Map& map);

@@ -38,14 +38,17 @@ void add_scans(const MapParts& parts, Map& map) {
   for (std::size_t i = 0; i < parts.scans.size(); ++i) {
     const TrackedScan& scan = parts.scans[i];
     const double to_map_rad = T_map_sensor[i].theta_rad - scan.tracked.T_odom_sensor.theta_rad;
+    const Eigen::Rotation2Dd to_map(to_map_rad);
     map.scans.push_back({.stamp = scan.stamp,
                          .status = scan.tracked.status,
                          .T_map_sensor = T_map_sensor[i],
                          .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse(),
                          .score = scan.tracked.score,
                          .has_odometry = scan.tracked.has_odometry,
-                         .open_sigma_m = scan.open_sigma_m * (Eigen::Rotation2Dd(to_map_rad) *
-                                                              scan.tracked.open.direction)});
+                         .open_sigma_m = scan.open_sigma_m * (to_map * scan.tracked.open.direction),
+                         .is_turn_open = scan.tracked.turn_bound_share < 1.0,
+                         .open_turn_sigma_rad = scan.open_turn_sigma_rad,
+                         .open_turn_motion_m = to_map * scan.tracked.turn_motion_m});
   }
   for (const TrackPiece& piece : map.pieces) {
     for (std::size_t i = 0; i < piece.num_scans; ++i) {

@@ -21,6 +21,7 @@ struct TrackedScan {
   TrackedPose tracked;
   Pose2 T_base_sensor;
   double open_sigma_m = 0.0;  ///< MotionUncertainty::add().
+  double open_turn_sigma_rad = 0.0;
 };
 
 /// All that a map is made of; everything must outlive the call. Poses are those of the sensors.

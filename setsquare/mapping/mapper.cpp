@@ -209,7 +209,8 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
   num_with_odometry_ += T_wheels_base.has_value();
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
   const double open_sigma_m = uncertainty_.add(tracked, {scan.scanner, scan.stamp});
-  scans_.push_back({scan.stamp, tracked, scan.T_base_sensor, open_sigma_m});
+  scans_.push_back(
+      {scan.stamp, tracked, scan.T_base_sensor, open_sigma_m, uncertainty_.open_turn_sigma_rad()});
   const Scan& placed = tracker_.deskewed_scan() ? *tracker_.deskewed_scan() : scan;
   kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
     if (!tracked.is_keyframe) return std::make_shared<const Scan>(placed);
@@ -336,7 +337,7 @@ Map Mapper::Parts::map_of(const Closed& closed) const {
                           .is_joined = closed.joined.is_joined,
                           .graph = graph});
   add_sensors(map);
-  add_certainty(map);
+  add_certainty(map, params_.motion);
   return map;
 }
 

@@ -8,6 +8,7 @@
 
 #include "setsquare/core/symmetric_eigen.hpp"
 #include "setsquare/graph/marginal_covariance.hpp"
+#include "setsquare/mapping/spread_graph.hpp"
 
 namespace setsquare {
 namespace {
@@ -20,8 +21,16 @@ std::size_t keyframe_before(const Map& track, std::size_t scan) {
              : static_cast<std::size_t>(after - track.keyframes.begin()) - 1;
 }
 
-double largest_sigma_m(const Eigen::Matrix2d& covariance) {
-  return std::sqrt(std::max(0.0, symmetric_eigenvalues(covariance).y()));
+/// The matrix whose square a covariance is.
+Eigen::Matrix2d root_of(const Eigen::Matrix2d& covariance) {
+  const SymmetricEigen<2> eigen = symmetric_eigen(covariance);
+  return eigen.vectors * eigen.values.cwiseMax(0.0).cwiseSqrt().asDiagonal() *
+         eigen.vectors.transpose();
+}
+
+/// Adds an independent error to one of `root`.
+Eigen::Matrix2d widened(const Eigen::Matrix2d& root, const Eigen::Matrix2d& other_covariance) {
+  return root_of(root * root + other_covariance);
 }
 
 /// A piece: its scans, and its keyframes, of which it has one at least.
@@ -60,22 +69,24 @@ std::vector<std::size_t> spread_nodes(const PieceNodes& piece, std::size_t num) 
   return nodes;
 }
 
-/// Sigmas of a piece's scans from those at some of its nodes: straight lines between, constant
+/// Spreads of a piece's scans from those at some of its nodes: straight lines between, constant
 /// before the first and behind the last.
 void interpolate(const Map& track,
                  const PieceNodes& piece,
                  const std::vector<std::size_t>& nodes,
-                 const std::vector<double>& of_node_m,
-                 std::vector<double>& of_scan_m) {
+                 const std::vector<PoseSpread>& of_node,
+                 std::vector<PoseSpread>& of_scan) {
   std::size_t next = 0;  // The first node behind the scan.
   for (std::size_t scan = piece.first_scan; scan < piece.end_scan; ++scan) {
     while (next < nodes.size() && track.keyframes[nodes[next]] <= scan) ++next;
-    of_scan_m[scan] = of_node_m[next == 0 ? 0 : next - 1];
+    PoseSpread& spread = of_scan[scan];
+    spread = of_node[next == 0 ? 0 : next - 1];
     if (next == 0 || next == nodes.size()) continue;
     const std::size_t before = track.keyframes[nodes[next - 1]];
     const std::size_t after = track.keyframes[nodes[next]];
     const double share = static_cast<double>(scan - before) / static_cast<double>(after - before);
-    of_scan_m[scan] += share * (of_node_m[next] - of_node_m[next - 1]);
+    spread.root_m += share * (of_node[next].root_m - spread.root_m);
+    spread.heading_rad += share * (of_node[next].heading_rad - spread.heading_rad);
   }
 }
 
@@ -85,8 +96,14 @@ OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
   stretch.duration_s = seconds_between(track.scans[first].stamp, track.scans[end - 1].stamp);
   double cos_sum = 0.0;
   double sin_sum = 0.0;
+  std::size_t num_turns = 0;
   for (std::size_t i = first; i < end; ++i) {
     stretch.has_odometry = stretch.has_odometry && track.scans[i].has_odometry;
+    num_turns += track.scans[i].is_turn_open;
+    if (std::isfinite(track.scans[i].heading_sigma_rad)) {
+      stretch.heading_sigma_rad =
+          std::max(stretch.heading_sigma_rad, track.scans[i].heading_sigma_rad);
+    }
     if (i == 0) continue;
     const Eigen::Vector2d step =
         track.scans[i].T_map_base.translation() - track.scans[i - 1].T_map_base.translation();
@@ -96,6 +113,7 @@ OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
     sin_sum += step.norm() * std::sin(double_angle_rad);
   }
   stretch.direction_rad = 0.5 * std::atan2(sin_sum, cos_sum);
+  stretch.is_turn = 2 * num_turns > stretch.num_scans;
   return stretch;
 }
 
@@ -114,14 +132,49 @@ class WayBehindKeyframes {
   Eigen::Matrix2d sum_m_ = Eigen::Matrix2d::Zero();
 };
 
-/// What lies behind the last keyframe of a piece adds to the sigmas of its scans.
-void widen_behind(const Map& track, const PieceNodes& piece, std::vector<double>& of_scan_m) {
+/// What lies behind the last keyframe of a piece adds to the spreads of its scans.
+void widen_behind(const Map& track, const PieceNodes& piece, std::vector<PoseSpread>& of_scan) {
   WayBehindKeyframes way;
+  double turn_rad = 0.0;
   const std::size_t last_node = piece.first_node + piece.num_nodes - 1;
   for (std::size_t scan = track.keyframes[last_node] + 1; scan < piece.end_scan; ++scan) {
     way.add(track.scans[scan]);
-    of_scan_m[scan] = std::hypot(of_scan_m[scan], largest_sigma_m(way.covariance_m2()));
+    turn_rad += track.scans[scan].open_turn_sigma_rad;
+    of_scan[scan].root_m = widened(of_scan[scan].root_m, way.covariance_m2());
+    of_scan[scan].heading_rad = std::hypot(of_scan[scan].heading_rad, turn_rad);
   }
+}
+
+/// Lost scans stand where they were expected: they may be off by what each of a row adds.
+void widen_lost(const Map& track,
+                const MotionUncertaintyParams& params,
+                std::vector<PoseSpread>& of_scan) {
+  double sum_m = 0.0;
+  double sum_rad = 0.0;
+  for (std::size_t i = 0; i < of_scan.size(); ++i) {
+    const MappedScan& scan = track.scans[i];
+    if (scan.status != TrackStatus::kLost) {
+      sum_m = sum_rad = 0.0;
+      continue;
+    }
+    sum_m += scan.has_odometry ? params.lost_sigma_m_by_odometry : params.lost_sigma_m;
+    sum_rad += scan.has_odometry ? params.lost_sigma_rad_by_odometry : params.lost_sigma_rad;
+    if (!std::isfinite(of_scan[i].heading_rad)) continue;
+    of_scan[i].root_m = widened(of_scan[i].root_m, sum_m * sum_m * Eigen::Matrix2d::Identity());
+    of_scan[i].heading_rad = std::hypot(of_scan[i].heading_rad, sum_rad);
+  }
+}
+
+/// Where a heading may be off by much, the position is off along an arc and not along a line, and a
+/// heading by no more than any can be.
+void bend(PoseSpread& spread) {
+  if (!std::isfinite(spread.heading_rad)) return;
+  spread.heading_rad = std::min(spread.heading_rad, kNoHeadingSigma_rad);
+  SymmetricEigen<2> eigen = symmetric_eigen(spread.root_m);
+  const double across_m = 0.5 * spread.heading_rad * eigen.values.y();
+  if (eigen.values.x() >= across_m) return;
+  eigen.values.x() = across_m;
+  spread.root_m = eigen.vectors * eigen.values.asDiagonal() * eigen.vectors.transpose();
 }
 
 /// How certain the stretch's length is, between the keyframes of its piece before and behind it,
@@ -158,26 +211,47 @@ void add_length(const Map& track,
 
 }  // namespace
 
-std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_nodes) {
+double PoseSpread::position_m() const { return symmetric_eigenvalues(root_m).y(); }
+
+std::vector<PoseSpread> pose_spreads(const Map& track,
+                                     const MotionUncertaintyParams& params,
+                                     std::size_t max_num_nodes) {
   if (track.graph.T_map_node.empty()) return {};
-  std::vector<double> of_scan_m(track.scans.size(), std::numeric_limits<double>::infinity());
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  const Eigen::Vector2d nowhere = Eigen::Vector2d::Constant(kInfinite);
+  std::vector<PoseSpread> of_scan(track.scans.size(), {nowhere.asDiagonal(), kInfinite});
   std::vector<PieceNodes> joined = nodes_of_pieces(track);
   std::erase_if(joined, [](const PieceNodes& piece) { return !piece.is_joined; });
   std::size_t num_joined_nodes = 0;
   for (const PieceNodes& piece : joined) num_joined_nodes += piece.num_nodes;
   max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
-  const MarginalCovariance marginals(track.graph);
+  const MarginalCovariance marginals(spread_graph(track));
   for (const PieceNodes& piece : joined) {
     const std::vector<std::size_t> nodes =
         spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes);
-    std::vector<double> of_node_m;
+    std::vector<PoseSpread> of_node;
     for (const std::size_t node : nodes) {
-      of_node_m.push_back(largest_sigma_m(marginals.of_way(joined.front().first_node, node)));
+      const Eigen::Matrix2d way_m2 = marginals.of_way(joined.front().first_node, node);
+      of_node.push_back({root_of(way_m2), std::sqrt(std::max(0.0, marginals.of_heading(node)))});
     }
-    interpolate(track, piece, nodes, of_node_m, of_scan_m);
-    widen_behind(track, piece, of_scan_m);
+    interpolate(track, piece, nodes, of_node, of_scan);
+    widen_behind(track, piece, of_scan);
   }
-  return of_scan_m;
+  widen_lost(track, params, of_scan);
+  for (PoseSpread& spread : of_scan) {
+    spread.heading_rad = std::hypot(spread.heading_rad, params.scan_sigma_rad);
+    bend(spread);
+  }
+  return of_scan;
+}
+
+std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_nodes) {
+  std::vector<double> sigmas_m;
+  for (const PoseSpread& spread : pose_spreads(track, {}, max_num_nodes)) {
+    sigmas_m.push_back(std::isfinite(spread.heading_rad) ? spread.position_m()
+                                                         : spread.heading_rad);
+  }
+  return sigmas_m;
 }
 
 std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, double min_sigma_m) {
@@ -190,12 +264,13 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, doub
     if (end > first) {
       const OpenStretch stretch = stretch_from(track, first, end);
       const bool may_be_long = !stretch.has_odometry && stretch.duration_s > kShortest_s;
-      if (stretch.way_m >= min_way_m || may_be_long) stretches.push_back(stretch);
+      if (stretch.way_m >= min_way_m || may_be_long || stretch.is_turn)
+        stretches.push_back(stretch);
     }
     first = std::max(end, first + 1);
   }
   if (stretches.empty() || track.graph.T_map_node.empty()) return stretches;
-  const MarginalCovariance marginals(track.graph);
+  const MarginalCovariance marginals(spread_graph(track));
   const std::vector<PieceNodes> pieces = nodes_of_pieces(track);
   for (OpenStretch& stretch : stretches) {
     const auto of_stretch = std::find_if(pieces.begin(), pieces.end(), [&](const auto& piece) {
@@ -205,14 +280,23 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, doub
     add_length(track, *of_stretch, marginals, stretch);
   }
   std::erase_if(stretches, [&](const OpenStretch& stretch) {
-    return stretch.way_m < min_way_m && stretch.length_sigma_m < min_sigma_m;
+    const bool is_heading_open = stretch.is_turn && stretch.heading_sigma_rad > kOpenHeading_rad;
+    return stretch.way_m < min_way_m && stretch.length_sigma_m < min_sigma_m && !is_heading_open;
   });
   return stretches;
 }
 
-void add_certainty(Map& map) {
-  const std::vector<double> sigmas_m = position_sigmas_m(map);
-  for (std::size_t i = 0; i < sigmas_m.size(); ++i) map.scans[i].position_sigma_m = sigmas_m[i];
+void add_certainty(Map& map, const MotionUncertaintyParams& params) {
+  const std::vector<PoseSpread> spreads = pose_spreads(map, params);
+  for (std::size_t i = 0; i < spreads.size(); ++i) {
+    MappedScan& scan = map.scans[i];
+    const PoseSpread& spread = spreads[i];
+    const bool is_known = std::isfinite(spread.heading_rad);
+    scan.position_sigma_m = is_known ? spread.position_m() : spread.heading_rad;
+    scan.position_covariance_m2 =
+        is_known ? Eigen::Matrix2d(spread.root_m * spread.root_m) : spread.root_m;
+    scan.heading_sigma_rad = spread.heading_rad;
+  }
   map.open_stretches = open_stretches(map);
 }
 

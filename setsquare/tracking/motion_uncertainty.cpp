@@ -8,15 +8,26 @@
 #include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
+namespace {
+
+/// Off by so much (sigma) a heading may be any, and the sensor anywhere on its circle.
+constexpr double kAnyTurn_rad = 2.0;
+
+}  // namespace
 
 void MotionUncertaintyParams::validate() const {
   require_positive(step_sigma_m, "step_sigma_m");
   require_positive(step_sigma_rad, "step_sigma_rad");
   require_not_negative(sigma_per_metre, "sigma_per_metre");
   require_not_negative(sigma_per_turn, "sigma_per_turn");
+  require_not_negative(scan_sigma_rad, "scan_sigma_rad");
   require_not_negative(open_acceleration_m_per_s2, "open_acceleration_m_per_s2");
   require_not_negative(open_speed_m_per_s, "open_speed_m_per_s");
   require_not_negative(open_sigma_per_metre_by_odometry, "open_sigma_per_metre_by_odometry");
+  require_not_negative(open_turn_rad_per_s2, "open_turn_rad_per_s2");
+  require_not_negative(open_turn_rad_per_s, "open_turn_rad_per_s");
+  require_not_negative(open_sigma_per_turn_by_odometry, "open_sigma_per_turn_by_odometry");
+  require_not_negative(open_turn_rad_per_metre_by_odometry, "open_turn_rad_per_metre_by_odometry");
   require_positive(lost_sigma_m, "lost_sigma_m");
   require_positive(lost_sigma_rad, "lost_sigma_rad");
   require_positive(lost_sigma_m_by_odometry, "lost_sigma_m_by_odometry");
@@ -42,6 +53,34 @@ double MotionUncertainty::open_sigma_m(const TrackedPose& tracked, double second
          seconds;
 }
 
+double MotionUncertainty::open_turn_rad(const TrackedPose& tracked, double seconds) {
+  if (tracked.has_odometry) {
+    const Pose2 moved = T_odom_last_.inverse() * tracked.T_odom_body;
+    const double share =
+        std::max(params_.open_sigma_per_turn_by_odometry, tracked.odometry_turn_deviation);
+    return share * std::abs(moved.theta_rad) +
+           params_.open_turn_rad_per_metre_by_odometry * std::hypot(moved.x_m, moved.y_m);
+  }
+  const double open_share = 1.0 - tracked.turn_bound_share;
+  turn_.seconds = open_share * (turn_.seconds + seconds);
+  return open_share *
+         std::min(params_.open_turn_rad_per_s2 * turn_.seconds, params_.open_turn_rad_per_s) *
+         seconds;
+}
+
+double MotionUncertainty::add_open_turn(const TrackedPose& tracked, double seconds) {
+  turn_.step_rad = 0.0;
+  if (tracked.turn_bound_share < 1.0) {
+    if (has_last_) {
+      turn_.step_rad = std::min(open_turn_rad(tracked, seconds), kAnyTurn_rad - turn_.sum_rad);
+    }
+    turn_.sum_rad += turn_.step_rad;
+  } else if (tracked.status != TrackStatus::kLost) {
+    turn_ = {};
+  }
+  return turn_.step_rad * tracked.turn_motion_m.norm();
+}
+
 double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep) {
   double open_m = 0.0;
   const double seconds =
@@ -50,6 +89,7 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
     if (open_s_ > 0.0) ++open_stretch_;
     open_s_ = 0.0;
   }
+  const double turned_m = add_open_turn(tracked, seconds);
   has_odometry_ = has_odometry_ && tracked.has_odometry;
   const auto add_jump = [&](double sigma_m, double sigma_rad) {
     jump_variance_m2_ += sigma_m * sigma_m;
@@ -89,7 +129,7 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
   was_lost_ = tracked.status == TrackStatus::kLost;
   last_sweep_ = sweep;
   has_last_ = true;
-  return open_m;
+  return tracked.turn_bound_share < 1.0 ? turned_m : open_m;
 }
 
 MotionCovariance MotionUncertainty::take(double share_of_step) {

@@ -41,6 +41,10 @@ class MotionUncertainty {
   /// scan may be along the direction that the walls leave open (sigma, m); 0 where they leave none.
   double add(const TrackedPose& tracked, const SweepStart& sweep = {});
 
+  /// How far the last scan's turn from the one before may be off (sigma, rad) where the walls leave
+  /// it open: then add() has returned what that turn moves the sensor by. Else 0.
+  [[nodiscard]] double open_turn_sigma_rad() const { return turn_.step_rad; }
+
   /// The covariance of the motion up to the last scan added, which is a keyframe; restarts the sum.
   /// `share_of_step`: where several scanners leave keyframes, each of them is so much of one step;
   /// tracking's usual noise grows with the way, not with the number of scanners.
@@ -52,6 +56,11 @@ class MotionUncertainty {
   }
   /// How far off the motion from the last scan may be along a direction that was open.
   [[nodiscard]] double open_sigma_m(const TrackedPose& tracked, double seconds);
+  /// The same of a turn that was open.
+  [[nodiscard]] double open_turn_rad(const TrackedPose& tracked, double seconds);
+  /// Adds a turn that is open to the run of them, or ends the run. Returns how far it may have
+  /// moved the sensor, in m.
+  double add_open_turn(const TrackedPose& tracked, double seconds);
 
   MotionUncertaintyParams params_;
   bool has_last_ = false;
@@ -68,6 +77,12 @@ class MotionUncertainty {
   std::size_t open_stretch_ = 0;
   double jump_variance_m2_ = 0.0;
   double jump_variance_rad2_ = 0.0;
+  /// Scans in a row whose turn is open. Their errors are one error: sigmas add up.
+  struct OpenTurnRun {
+    double seconds = 0.0;   ///< Since when no scan has told the rate of turn.
+    double sum_rad = 0.0;   ///< Of the run.
+    double step_rad = 0.0;  ///< Of the last scan.
+  } turn_;
 };
 
 }  // namespace setsquare

@@ -52,6 +52,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = expected.has_odometry;
   tracked.is_long_step = long_steps_.are_usual();
+  tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
   // Many scans in a row do not see again what was seen before: the robot was carried.
@@ -429,6 +430,7 @@ TrackedPose ScanTracker::answer_from(const SubmapFit& fit) const {
   if (fit.turn.bound_share < 1.0 && lever_m > 0.0) {
     tracked.open.direction = fit.turn.motion_m / lever_m;
     tracked.open_bound_share = fit.turn.bound_share;
+    tracked.turn_motion_m = fit.turn.motion_m;
   }
   return tracked;
 }

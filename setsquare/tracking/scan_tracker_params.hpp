@@ -243,12 +243,20 @@ struct MotionUncertaintyParams {
   double open_speed_m_per_s = 0.5;  ///< ... and be off by this at most (sigmas).
   /// Where odometry tells it: the share of the way.
   double open_sigma_per_metre_by_odometry = 0.05;
-  double lost_sigma_m = 0.3;        ///< Of each lost scan in between.
-  double recovered_sigma_m = 0.05;  ///< Of each scan found again far off.
-  double restart_sigma_m = 200.0;   ///< Of each new start of the submap.
+  /// Where the walls leave a turn open (OpenTurn) and no odometry tells it: robots begin turns as
+  /// fast as this ...
+  double open_turn_rad_per_s2 = 1.0;
+  double open_turn_rad_per_s = 0.5;  ///< ... and turn at this rate (sigmas).
+  /// Where odometry tells it: the share of the turn, unless the scans showed a larger one, ...
+  double open_sigma_per_turn_by_odometry = 0.03;
+  double open_turn_rad_per_metre_by_odometry = 0.003;  ///< ... and of the way.
+  double lost_sigma_m = 0.3;                           ///< Of each lost scan in between.
+  double recovered_sigma_m = 0.05;                     ///< Of each scan found again far off.
+  double restart_sigma_m = 200.0;                      ///< Of each new start of the submap.
 
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
+  double scan_sigma_rad = rad_from_deg(0.2);   ///< Of one scan's heading among those about it.
   double lost_sigma_rad = 0.05;
   double recovered_sigma_rad = rad_from_deg(1.5);
   double restart_sigma_rad = 0.5;

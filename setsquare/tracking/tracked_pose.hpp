@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/map/track_status.hpp"
 #include "setsquare/tracking/open_direction.hpp"
@@ -29,6 +31,12 @@ struct TrackedPose {
   OpenDirection open;  ///< In the odom frame.
   double open_bound_share = 1.0;  ///< How far the walls bind it (SubmapRefinementParams).
   double turn_bound_share = 1.0;  ///< The same of its turn (OpenTurnParams).
+  /// Where its turn is open: the sensor's motion, in the odom frame, for a turn by 1 rad that
+  /// leaves the scan as it is.
+  Eigen::Vector2d turn_motion_m = Eigen::Vector2d::Zero();
+  /// How far the odometry's turns are off, as a share of the turn, as it has proved; 0 where
+  /// nothing has shown it.
+  double odometry_turn_deviation = 0.0;
   /// Spread of the motion along the open direction where nothing tells it: the robot may have gone
   /// as far as it does between scans. 0 where the last motion does.
   double open_sigma_m = 0.0;

@@ -55,15 +55,19 @@ TEST(MapSummary, CountsScansByStatusAndPieces) {
   EXPECT_EQ(summary.num_lost, 1U);
   EXPECT_EQ(summary.num_unjoined_pieces, 1U);
   EXPECT_EQ(summary.num_unjoined_scans, 3U);
-  EXPECT_NEAR(summary.path_m, 4.5, 1e-12);
+  EXPECT_NEAR(summary.path_m, 3.0, 1e-12) << "the three of the piece not joined are left out";
 }
 
 TEST(MapSummary, CountsClosuresByTheirFinalWeight) {
   Map map;
-  map.closures = {{closure(true, ClosureAxes::kXY, 1.0), 0, 0},
-                  {closure(true, ClosureAxes::kX, 0.9), 0, 0},
-                  {closure(true, ClosureAxes::kXY, 0.49), 0, 0},
-                  {closure(false, ClosureAxes::kXY, 0.0), 0, 0}};
+  map.scans.resize(2);
+  map.scans[1].is_placed = false;
+  map.closures = {
+      {closure(true, ClosureAxes::kXY, 1.0), 0, 0},
+      {closure(true, ClosureAxes::kX, 1.0), 0, 1},  // Not placed: neither shown nor counted.
+      {closure(true, ClosureAxes::kX, 0.9), 0, 0},
+      {closure(true, ClosureAxes::kXY, 0.49), 0, 0},
+      {closure(false, ClosureAxes::kXY, 0.0), 0, 0}};
   const MapSummary summary = summary_of(map);
   EXPECT_EQ(summary.num_compared_closures, 4U);
   EXPECT_EQ(summary.num_accepted_closures, 3U);
@@ -96,7 +100,8 @@ TEST(StatusStretches, AreRunsOfOneStatusOtherThanTracked) {
 
 TEST(Map, TrajectoryIsOfTheRobotOrOfTheSensor) {
   const Map map = ten_scans();
-  ASSERT_EQ(trajectory_of(map).size(), 10U);
+  ASSERT_EQ(trajectory_of(map).size(), 7U) << "three are not placed";
+  EXPECT_EQ(trajectory_of(map, map.pieces[1]).front().stamp, Timestamp{7});
   EXPECT_EQ(trajectory_of(map)[4].pose.x_m, 2.0);
   EXPECT_EQ(trajectory_of(map, PoseOf::kSensor)[4].pose.x_m, 2.2);
   EXPECT_EQ(trajectory_of(map)[4].stamp, Timestamp{4});

@@ -49,6 +49,7 @@ TEST(SaveMap, WritesEveryFileAndNothingElse) {
                           "map.yaml",
                           "map.png",
                           "trajectory.tum",
+                          "poses.tsv",
                           "graph.g2o",
                           "closures.tsv",
                           "report.html",

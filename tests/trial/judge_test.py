@@ -13,7 +13,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks
 
 from trial import faults  # noqa: E402 (after the path is set)
 from trial.judge import MappedPose, judge  # noqa: E402
-from trial.outputs import _unpacked  # noqa: E402
+from trial.outputs import _largest_sigma, _mapped_pose  # noqa: E402
 
 # 30 m along x, then 10 m along y, a pose every 0.1 m.
 TRUTH = ([(0.1 * k, 0.0, 0.0) for k in range(300)] +
@@ -78,6 +78,12 @@ class Judge(unittest.TestCase):
 
     def test_a_spread_of_positions_does_not_excuse_a_heading(self):
         self.assertTrue(judge(TRUTH, bent_map(sigma_m=50.0)).is_wrong_and_silent)
+
+    def test_a_heading_is_silent_unless_its_own_spread_is_honest(self):
+        self.assertTrue(judge(TRUTH, bent_map(sigma_m=50.0, sigma_deg=2.0)).is_wrong_and_silent)
+        honest = judge(TRUTH, bent_map(sigma_m=50.0, sigma_deg=10.0))
+        self.assertEqual((honest.num_wrong, honest.num_turned), (0, 0))
+        self.assertTrue(judge(TRUTH, bent_map(sigma_deg=10.0)).is_wrong_and_silent)  # Far off, too.
 
     def test_a_squashed_corridor_is_silent_unless_its_spread_is_honest(self):
         self.assertTrue(judge(TRUTH, squashed_map(0.7)).is_wrong_and_silent)
@@ -157,9 +163,23 @@ class Faults(unittest.TestCase):
 
 
 class Outputs(unittest.TestCase):
-    def test_packed_columns(self):
-        # 0, -1, 64, 64 less the one before, folded: 0, 1, 130 (two bytes), 0.
-        self.assertEqual(_unpacked("AAGCAQA="), [0, -1, 64, 64])
+    ROW = {"x_m": "1", "y_m": "2", "heading_deg": "90", "sigma_x_m": "0.3", "sigma_y_m": "0.4",
+           "correlation_xy": "0", "sigma_heading_deg": "7", "placed": "1", "doubts": "heading_open"}
+
+    def test_the_largest_sigma_of_a_position(self):
+        self.assertAlmostEqual(_largest_sigma(0.3, 0.4, 0.0), 0.4)
+        self.assertAlmostEqual(_largest_sigma(0.3, 0.4, 1.0), 0.5)
+
+    def test_a_wide_spread_is_no_doubt_of_its_own(self):
+        pose = _mapped_pose(self.ROW, ("few_beams",))
+        self.assertEqual((pose.sigma_m, pose.sigma_deg, pose.is_placed), (0.4, 7.0, True))
+        self.assertEqual(pose.doubts, ("few_beams",))
+
+    def test_lost_scans_and_pieces_have_no_place(self):
+        lost = _mapped_pose({**self.ROW, "doubts": "lost,heading_open"}, ())
+        self.assertEqual((lost.is_placed, lost.doubts), (False, ("lost",)))
+        apart = _mapped_pose({**self.ROW, "placed": "0", "sigma_x_m": "inf", "doubts": "not_joined"}, ())
+        self.assertEqual((apart.is_placed, apart.doubts), (False, ("not_joined",)))
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@
 #include "apps/setsquare/scans/findings.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
+#include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
@@ -42,6 +43,14 @@ void tell_doubts(const MapSummary& summary) {
   if (summary.num_unjoined_pieces > 0) {
     std::cout << "left out: " << summary.num_unjoined_pieces << " pieces of track, "
               << summary.num_unjoined_scans << " scans, that could not be joined to the map\n";
+  }
+  for (const OpenStretch& stretch : summary.open_headings) {
+    std::cout << fmt::format(
+        "headings are open in scans {} to {}: a round hall's walls do not tell a turn; spread "
+        "{:.0f} deg (sigma)\n",
+        stretch.first_scan,
+        stretch.first_scan + stretch.num_scans - 1,
+        deg_from_rad(stretch.heading_sigma_rad));
   }
   if (summary.open_s == 0.0) return;
   std::cout << fmt::format(
@@ -159,8 +168,10 @@ void add_map(CLI::App& application) {
   add_log_options(*map, options->log);
   map->footer(
       "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
-      "trajectory.tum (one pose per scan), graph.g2o, closures.tsv, run.json and timing.json: all\n"
-      "of them at the end, or none. docs/formats.md describes them.\n"
+      "trajectory.tum (the pose of each scan that is placed), pieces/N.tum (of those that are "
+      "not),\n"
+      "poses.tsv (each scan's pose, spread and doubts), graph.g2o, closures.tsv, run.json and\n"
+      "timing.json: all of them at the end, or none. docs/formats.md describes them.\n"
       "Pairs of scans are matched against the finished map; the first line says whether they "
       "agree.\n"
       "Examples:\n"

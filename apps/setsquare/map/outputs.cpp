@@ -10,6 +10,8 @@ namespace setsquare::app {
 
 std::vector<std::string> map_output_names() {
   return {"trajectory.tum",
+          "pieces/",
+          "poses.tsv",
           "map.pgm",
           "map.yaml",
           "map.png",

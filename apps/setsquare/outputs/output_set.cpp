@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/numbered_files.hpp"
 #include "setsquare/core/save_file.hpp"
 
 namespace setsquare::app {
@@ -37,6 +38,38 @@ void move(const fs::path& from, const fs::path& to) {
 bool is_there(const fs::path& path) {
   std::error_code ignored;
   return fs::exists(fs::symlink_status(path, ignored));
+}
+
+bool is_folder_name(const std::string& name) { return name.ends_with('/'); }
+
+/// Whether it is a folder, and no link to one.
+bool is_own_folder(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(fs::symlink_status(path, ignored));
+}
+
+/// The folder's numbered files go, and the folder where nothing else is in it; so does what is no
+/// folder.
+void remove_numbered(const fs::path& folder) {
+  std::error_code error;
+  if (is_own_folder(folder)) {
+    for (const std::string& name : numbered_tum_files(folder)) {
+      fs::remove(folder / name, error);
+      require(folder / name, error);
+    }
+    fs::remove(folder, error);
+    return;
+  }
+  fs::remove(folder, error);
+  require(folder, error);
+}
+
+/// File by file: a folder may hold files of others.
+void move_numbered(const fs::path& from, const fs::path& to) {
+  std::error_code error;
+  fs::create_directory(to, error);
+  require(to, error);
+  for (const std::string& name : numbered_tum_files(from)) move(from / name, to / name);
 }
 
 }  // namespace
@@ -85,6 +118,14 @@ void OutputSet::lock() {
 void OutputSet::refuse(const InputPaths& inputs) const {
   std::error_code ignored;
   for (const std::string& name : names_) {
+    if (is_folder_name(name)) {
+      const fs::path folder = path_ / name.substr(0, name.size() - 1);
+      if (!is_own_folder(folder)) refuse_input(folder, inputs);
+      for (const std::string& file : numbered_tum_files(folder)) {
+        refuse_input(folder / file, inputs);
+      }
+      continue;
+    }
     if (fs::is_directory(path_ / name, ignored)) {
       throw FileError((path_ / name).string(), "cannot be written: it is a directory");
     }
@@ -116,9 +157,19 @@ void OutputSet::discard() noexcept {
   }
 }
 
+bool OutputSet::is_named(const std::string& name) const {
+  return std::ranges::any_of(names_, [&](const std::string& known) {
+    return name == known || (is_folder_name(known) && name.starts_with(known));
+  });
+}
+
 void OutputSet::add(const std::string& name, std::string_view bytes) {
-  assert(std::ranges::find(names_, name) != names_.end());
+  assert(is_named(name));
   const auto held = signals_.hold();
+  const fs::path folder = (path_ / kNew / name).parent_path();
+  std::error_code error;
+  fs::create_directory(folder, error);
+  require(folder, error);
   save_file((path_ / kNew / name).string(), bytes);
   added_.push_back(name);
 }
@@ -132,7 +183,8 @@ void OutputSet::commit() {
 void OutputSet::require_ours(const std::filesystem::path& set) const {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(set, ignored)) {
-    if (std::ranges::find(names_, entry.path().filename().string()) != names_.end()) continue;
+    const std::string name = entry.path().filename().string();
+    if (is_named(is_own_folder(entry.path()) ? name + '/' : name)) continue;
     throw FileError(set.string(),
                     "is what another command left when it was killed: run that one again first");
   }
@@ -144,6 +196,10 @@ void OutputSet::finish_commit() {
   require_ours(path_ / kMove);
   if (is_there(path_ / kWhole)) {
     for (auto name = names_.rbegin(); name != names_.rend(); ++name) {
+      if (is_folder_name(*name)) {
+        remove_numbered(path_ / name->substr(0, name->size() - 1));
+        continue;
+      }
       fs::remove(path_ / *name, error);
       require(path_ / *name, error);
     }
@@ -151,7 +207,12 @@ void OutputSet::finish_commit() {
   }
   if (!is_there(path_ / kMove)) return;
   for (const std::string& name : names_) {
-    if (is_there(path_ / kMove / name)) move(path_ / kMove / name, path_ / name);
+    if (!is_there(path_ / kMove / name)) continue;
+    if (is_folder_name(name)) {
+      move_numbered(path_ / kMove / name, path_ / name);
+    } else {
+      move(path_ / kMove / name, path_ / name);
+    }
   }
   fs::remove_all(path_ / kMove, error);
   require(path_ / kMove, error);

@@ -38,17 +38,20 @@ namespace setsquare::app {
 /// the promise everywhere.
 class OutputSet {
  public:
-  /// `names`: every file that a set of this kind may hold; the last one stands for a whole set.
-  /// Files of other names in the directory are left alone. `inputs`: what the run reads. Makes the
-  /// directory where it is absent. Throws FileError where it cannot be made or written to, another
-  /// run is about to write there, a directory has one of the names, or an input does.
+  /// `names`: every file that a set of this kind may hold; the last one stands for a whole set. A
+  /// name that ends with a slash, "pieces/", stands for the numbered files of that folder,
+  /// "pieces/1.tum" (numbered_tum_files). Files of other names, there too, are left alone.
+  /// `inputs`: what the run reads. Makes the directory where it is absent. Throws FileError where
+  /// it cannot be made or written to, another run is about to write there, a directory has one of
+  /// the names, or an input does.
   OutputSet(const std::string& path, std::vector<std::string> names, const InputPaths& inputs = {});
   /// Removes what was not committed, and the directories made for it.
   ~OutputSet();
   OutputSet(const OutputSet&) = delete;
   OutputSet& operator=(const OutputSet&) = delete;
 
-  /// Keeps a file aside; its name is one of the names. Throws FileError.
+  /// Keeps a file aside; its name is one of the names, or one in a folder of them. Throws
+  /// FileError.
   void add(const std::string& name, std::string_view bytes);
 
   /// The files added replace all of the last set. Throws FileError.
@@ -58,6 +61,7 @@ class OutputSet {
   [[nodiscard]] const std::vector<std::string>& added() const { return added_; }
 
  private:
+  [[nodiscard]] bool is_named(const std::string& name) const;
   void make_directory();
   void lock();
   void refuse(const InputPaths& inputs) const;

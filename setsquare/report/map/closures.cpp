@@ -80,6 +80,7 @@ PlacedClosures placed_closures(std::span<const LoopClosure> closures,
     const auto i = index.find(closure.stamp_i);
     const auto j = index.find(closure.stamp_j);
     if (!closure.is_accepted || !i || !j) continue;
+    if (!path_cells[*i].allFinite() || !path_cells[*j].allFinite()) continue;  // Not placed.
     placed.push_back({.from_cells = path_cells[*i],
                       .to_cells = path_cells[*j],
                       .weight = closure.weight,

@@ -104,8 +104,8 @@ Json json_from_poses(const std::vector<MappedScan>& scans, Timestamp start) {
 /// The scans that closures are of, each once, in the order in which they are first named.
 class ShownScans {
  public:
-  explicit ShownScans(const Map& map) {
-    for (const MappedClosure& closure : map.closures) {
+  explicit ShownScans(const std::vector<MappedClosure>& closures) {
+    for (const MappedClosure& closure : closures) {
       show(closure.scan_i);
       show(closure.scan_j);
     }
@@ -297,13 +297,14 @@ std::string packed(std::span<const std::int64_t> values) {
 std::string map_report_json(const MapReport& report) {
   const Map& map = report.map;
   const Timestamp start = first_stamp(map);
-  const ShownScans shown(map);
+  const std::vector<MappedClosure> closures = closures_of_placed(map);
+  const ShownScans shown(closures);
   Json json = {{"title", report.title}, {"start", to_string(start)}};
   json["grid_heading"] = report.grid != nullptr ? report.grid->T_map_grid().theta_rad : 0.0;
   json["map"] = report.grid != nullptr ? json_from_grid(*report.grid) : Json(nullptr);
   json["poses"] = json_from_poses(map.scans, start);
   json["scans"] = json_from_scans(map, shown, start);
-  json["closures"] = json_from_closures(map.closures, shown);
+  json["closures"] = json_from_closures(closures, shown);
   json["headings"] = json_from_headings(map, start);
   json["verdict"] = map_verdict(map);
   json["doubts"] = json_from_doubts_of_page(map, start);

@@ -41,7 +41,10 @@ Json json_from(const OpenStretch& stretch, const Map& map) {
           {"duration_s", rounded(stretch.duration_s)},
           {"open_direction_deg", rounded(deg_from_rad(stretch.direction_rad))},
           {"with_odometry", stretch.has_odometry},
-          {"length_sigma_m", rounded(stretch.length_sigma_m)}};
+          {"length_sigma_m", rounded(stretch.length_sigma_m)},
+          {"open", stretch.is_turn ? "turn" : "along"},
+          {"heading_sigma_deg",
+           stretch.is_turn ? Json(rounded(deg_from_rad(stretch.heading_sigma_rad))) : Json()}};
 }
 
 Json json_from(const BuildingFrame& frame) {

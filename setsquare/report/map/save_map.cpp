@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/numbered_files.hpp"
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/drawing/png.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
@@ -17,6 +18,7 @@
 #include "setsquare/report/map/building_heading.hpp"
 #include "setsquare/report/map/page.hpp"
 #include "setsquare/report/map/picture.hpp"
+#include "setsquare/report/map/poses_tsv.hpp"
 
 namespace setsquare {
 namespace {
@@ -52,6 +54,12 @@ void make_map_files(
   add("map.png", png_of(map, grid, closures, options.num_threads));
   begin("tables");
   add("trajectory.tum", tum_from_trajectory(trajectory_of(map, options.pose_of)));
+  for (std::size_t k = 0; k < map.pieces.size(); ++k) {
+    if (map.pieces[k].is_joined) continue;
+    add("pieces/" + std::to_string(k + 1) + ".tum",
+        tum_from_trajectory(trajectory_of(map, map.pieces[k], options.pose_of)));
+  }
+  add("poses.tsv", poses_tsv(map, options.pose_of));
   if (!map.graph.T_map_node.empty()) {
     add("graph.g2o", g2o_from_pose_graph(map.graph));
     add("closures.tsv", tsv_from_closures(closures));
@@ -75,6 +83,11 @@ std::vector<std::string> save_map(const Map& map,
     names.push_back(name);
     contents.emplace_back(bytes);
   });
+  const std::filesystem::path pieces = std::filesystem::path(folder) / "pieces";
+  const bool has_pieces = std::ranges::any_of(
+      names, [](const std::string& name) { return name.starts_with("pieces/"); });
+  if (has_pieces) std::filesystem::create_directories(pieces, error);
+  if (error) throw FileError(pieces.string(), "cannot be made: " + error.message());
   std::vector<FileBytes> files;
   for (std::size_t i = 0; i < names.size(); ++i) {
     files.push_back({(std::filesystem::path(folder) / names[i]).string(), contents[i]});
@@ -85,6 +98,11 @@ std::vector<std::string> save_map(const Map& map,
     if (std::ranges::find(names, name) != names.end()) continue;
     std::filesystem::remove(std::filesystem::path(folder) / name, error);
   }
+  for (const std::string& name : numbered_tum_files(pieces)) {
+    if (std::ranges::find(names, "pieces/" + name) != names.end()) continue;
+    std::filesystem::remove(pieces / name, error);
+  }
+  if (!has_pieces) std::filesystem::remove(pieces, error);  // Not where it holds other files.
   return names;
 }
 

@@ -22,9 +22,10 @@ struct SaveMapOptions {
 };
 
 /// Makes the files of a map one by one and gives each, by its name and bytes, to `add`:
-/// map.pgm and map.yaml (nav2), map.png, trajectory.tum, graph.g2o, closures.tsv and report.html
-/// (not for a map without a graph), run.json. docs/formats.md describes them. Throws
-/// ParameterError, and what `add` throws.
+/// map.pgm and map.yaml (nav2), map.png, trajectory.tum, pieces/N.tum for each piece of track that
+/// is not joined (N from 1), poses.tsv, graph.g2o, closures.tsv and report.html (not for a map
+/// without a graph), run.json. docs/formats.md describes them. Throws ParameterError, and what
+/// `add` throws.
 void make_map_files(
     const Map& map,
     const SaveMapOptions& options,

@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/spread_graph.hpp"
+
+#include <algorithm>
+#include <Eigen/LU>
+#include <vector>
+
+#include "setsquare/core/angle.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Three of them are half a quarter turn.
+constexpr double kSureTurn_rad = rad_from_deg(15.0);
+
+bool is_open(const Map& map, std::size_t node) {
+  return map.scans[map.keyframes[node]].is_turn_open;
+}
+
+/// Turns that the walls leave open, from keyframe to keyframe.
+struct OpenTurns {
+  std::vector<double> variance_rad2;  ///< What the motion to each keyframe adds.
+  std::vector<double> run_rad;        ///< Sigma of the run of open turns up to each keyframe.
+};
+
+/// Errors of scans in a row are one error: sigmas add up from scan to scan, and each motion between
+/// keyframes gets what it adds to the variance of the whole.
+OpenTurns open_turns(const Map& map) {
+  OpenTurns turns;
+  double sum_rad = 0.0;
+  double at_keyframe_rad2 = 0.0;
+  double ended_rad2 = 0.0;
+  std::size_t scan = 0;
+  for (const std::size_t keyframe : map.keyframes) {
+    double run_rad = 0.0;
+    for (; scan <= keyframe; ++scan) {
+      const MappedScan& mapped = map.scans[scan];
+      sum_rad += mapped.open_turn_sigma_rad;
+      run_rad = std::max(run_rad, sum_rad);
+      if (mapped.is_turn_open || mapped.status == TrackStatus::kLost) continue;
+      ended_rad2 += sum_rad * sum_rad - at_keyframe_rad2;
+      sum_rad = at_keyframe_rad2 = 0.0;
+    }
+    turns.variance_rad2.push_back(ended_rad2 + sum_rad * sum_rad - at_keyframe_rad2);
+    turns.run_rad.push_back(run_rad);
+    at_keyframe_rad2 = sum_rad * sum_rad;
+    ended_rad2 = 0.0;
+  }
+  return turns;
+}
+
+/// How a turn by 1 rad about the middle, seen by the last scan at or before a keyframe whose turn
+/// is open, moves the robot at the keyframe (x, y, theta), in the map.
+Eigen::Vector3d open_motion(const Map& map, std::size_t keyframe) {
+  std::size_t seen = keyframe;
+  while (seen > 0 && !map.scans[seen].is_turn_open) --seen;
+  const MappedScan& scan = map.scans[seen];
+  const Eigen::Vector2d to_robot_m =
+      map.scans[keyframe].T_map_base.translation() - scan.T_map_sensor.translation();
+  const Eigen::Vector2d moved_m =
+      scan.open_turn_motion_m + Eigen::Vector2d(-to_robot_m.y(), to_robot_m.x());
+  return {moved_m.x(), moved_m.y(), 1.0};
+}
+
+/// Adds the open turn to the covariance of the motion to a keyframe.
+void open_step(const Map& map, double variance_rad2, Constraint& step) {
+  Eigen::Vector3d motion = open_motion(map, map.keyframes[step.to]);
+  motion.head<2>() = rotation_matrix(-map.graph.T_map_node[step.from].theta_rad) * motion.head<2>();
+  const Eigen::Vector3d bound = step.information * motion;
+  step.information -= bound * bound.transpose() / (1.0 / variance_rad2 + motion.dot(bound));
+}
+
+/// For each keyframe how often the turn was lost before it.
+std::vector<std::size_t> sure_parts(const Map& map, const OpenTurns& turns) {
+  constexpr double kSure_rad2 = kSureTurn_rad * kSureTurn_rad;
+  std::vector<std::size_t> parts(map.keyframes.size(), 0);
+  for (const Constraint& step : map.graph.constraints) {
+    if (step.kind != ConstraintKind::kOdometry || step.to != step.from + 1) continue;
+    const double information = step.information(2, 2);
+    if (!(information * kSure_rad2 > 1.0)) parts[step.to] = 1;
+  }
+  for (std::size_t k = 1; k < parts.size(); ++k) {
+    const bool is_lost = turns.run_rad[k] > kSureTurn_rad;
+    parts[k] = parts[k - 1] + (parts[k] > 0 || is_lost ? 1 : 0);
+  }
+  return parts;
+}
+
+}  // namespace
+
+PoseGraph spread_graph(const Map& map) {
+  PoseGraph graph = map.graph;
+  if (map.keyframes.size() != graph.T_map_node.size()) return graph;
+  std::erase_if(graph.constraints, [&](const Constraint& constraint) {
+    return constraint.kind == ConstraintKind::kLoopClosure &&
+           (is_open(map, constraint.from) || is_open(map, constraint.to));
+  });
+  std::erase_if(graph.headings,
+                [&](const HeadingMeasurement& heading) { return is_open(map, heading.node); });
+  const OpenTurns turns = open_turns(map);
+  for (Constraint& step : graph.constraints) {
+    const bool is_step = step.kind == ConstraintKind::kOdometry && step.to == step.from + 1;
+    if (!is_step || !(turns.variance_rad2[step.to] > 0.0)) continue;
+    open_step(map, turns.variance_rad2[step.to], step);
+  }
+  const std::vector<std::size_t> parts = sure_parts(map, turns);
+  if (parts.empty() || parts.back() == 0) return graph;
+  std::vector<double> information(parts.back() + 1, 0.0);
+  for (const HeadingMeasurement& heading : graph.headings) {
+    information[parts[heading.node]] += heading.information_per_rad2;
+  }
+  const auto best = static_cast<std::size_t>(
+      std::max_element(information.begin(), information.end()) - information.begin());
+  std::erase_if(graph.headings,
+                [&](const HeadingMeasurement& heading) { return parts[heading.node] != best; });
+  return graph;
+}
+
+}  // namespace setsquare
