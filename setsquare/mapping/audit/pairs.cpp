@@ -77,6 +77,15 @@ void add_outvoted(const AuditedTrack& track, std::size_t max_num, PairSample& sa
   }
 }
 
+/// 0 to `num` - 1: every `stride`-th, then those after them, and so on.
+std::vector<std::size_t> strided(std::size_t num, std::size_t stride) {
+  std::vector<std::size_t> order;
+  for (std::size_t first = 0; first < stride; ++first) {
+    for (std::size_t i = first; i < num; i += stride) order.push_back(i);
+  }
+  return order;
+}
+
 /// Adds one pair for each of the places while the sample has fewer than `num`: with a keyframe near
 /// by the map whose way along the track is at least `min_way_m` and less than `max_way_m`.
 void add_near(const AuditedTrack& track,
@@ -87,9 +96,13 @@ void add_near(const AuditedTrack& track,
               std::size_t num,
               std::mt19937& random,
               PairSample& sample) {
+  // Every few places at first, so that the sample covers the whole track however small it is.
+  const std::size_t wanted = std::max<std::size_t>(num - std::min(num, sample.size()), 1);
+  const std::size_t stride = 1 + places.size() / wanted;
   constexpr int kMaxRounds = 4;
   for (int round = 0; round < kMaxRounds && sample.size() < num; ++round) {
-    for (const AuditedPlace& place : places) {
+    for (const std::size_t i : strided(places.size(), stride)) {
+      const AuditedPlace& place = places[i];
       const Eigen::Vector2d here = track.T_map_sensor[place.keyframe].translation();
       std::vector<std::size_t> near;
       for (std::size_t k = 0; k < track.size(); ++k) {
