@@ -215,6 +215,24 @@ TEST(MapDoubts, AStretchOfUnknownLengthIsDoubtedUnlessMatchesMeasureIt) {
   EXPECT_EQ(doubts_of(map, findings, {}).size(), 2U) << "which of two it was, nobody knows";
 }
 
+TEST(MapAudit, AMendedMapMustExplainMoreOfAllMatches) {
+  const AuditReport before{.num_pairs = 300,
+                           .num_matched = 100,
+                           .num_agreeing = 80,
+                           .num_contradicting = 20,
+                           .num_seconded = 15};
+  AuditReport mended{.num_pairs = 300,
+                     .num_matched = 90,
+                     .num_agreeing = 88,
+                     .num_contradicting = 2,
+                     .num_seconded = 0};
+  EXPECT_TRUE(explains_more(mended, before));
+  EXPECT_FALSE(explains_more(before, before));
+  EXPECT_FALSE(explains_more(before, mended));
+  mended.num_agreeing = 72;  // The same share.
+  EXPECT_FALSE(explains_more(mended, before)) << "fewer contradict, but no more agree";
+}
+
 TEST(MapDoubts, WallsThatTurnedAreOneWhereNoMatchTellsWhy) {
   Map map = straight_map(100);
   map.undecided_turns = {{40, 44, rad_from_deg(-9.0)}, {60, 61, rad_from_deg(2.0)}};

@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Logs that the mapper was not built on: wings at odd angles, tracking that slips, a corridor whose
+// length one scan after another leaves open. Each with the rule that mends it, and without.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "setsquare/eval/evaluate.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/tables/trajectory_tum.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "tests/support/data_dir.hpp"
+
+namespace setsquare::map_field_logs_test {
+
+using testing::data_file;
+
+Map map_log(const std::string& path, bool uses_odometry, const MapperParams& params = {}) {
+  Mapper mapper(params);
+  const auto reader = open_log(path);
+  while (const LogRecord* record = reader->next()) {
+    mapper.add(record->scan, uses_odometry ? record->T_odom_base : std::nullopt);
+  }
+  return mapper.finish();
+}
+
+/// Mean absolute error against another program's map, good to about 0.05 m over short ways.
+double mean_error_m(const Map& map, const std::string& reference_path) {
+  Trajectory trajectory;
+  for (const MappedScan& scan : map.scans) {
+    if (scan.is_placed) trajectory.push_back({scan.stamp, scan.T_map_sensor});
+  }
+  return evaluate(trajectory, read_trajectory_tum(reference_path)).translation_m.mean;
+}
+
+bool has_doubt(const Map& map, DoubtKind kind) {
+  return std::any_of(map.doubts.begin(), map.doubts.end(), [&](const MapDoubt& doubt) {
+    return doubt.kind == kind;
+  });
+}
+
+/// A building whose walls are not square throughout.
+struct ObliqueLog {
+  std::string name;
+  double max_error_m = 0.0;
+  double min_error_without_m = 0.0;  ///< Where slips are not told from wings by matches.
+};
+
+class MapFieldLog : public ::testing::TestWithParam<ObliqueLog> {};
+
+TEST_P(MapFieldLog, WingsAreToldFromSlips) {
+  const auto log_path = data_file("field/" + GetParam().name + ".clf");
+  const auto reference_path = data_file("field/" + GetParam().name + ".reference.tum");
+  if (!log_path || !reference_path) GTEST_SKIP() << "no real logs";
+  for (const bool uses_odometry : {true, false}) {
+    const Map map = map_log(*log_path, uses_odometry);
+    EXPECT_LT(mean_error_m(map, *reference_path), GetParam().max_error_m) << uses_odometry;
+    EXPECT_TRUE(map.doubts.empty()) << uses_odometry;
+  }
+}
+
+TEST_P(MapFieldLog, WithoutTheMatchesTheyAreNotAndTheMapSaysSo) {
+  const auto log_path = data_file("field/" + GetParam().name + ".clf");
+  const auto reference_path = data_file("field/" + GetParam().name + ".reference.tum");
+  if (!log_path || !reference_path) GTEST_SKIP() << "no real logs";
+  MapperParams params;
+  params.turns.max_rounds = 0;
+  const Map map = map_log(*log_path, true, params);
+  EXPECT_GT(mean_error_m(map, *reference_path), GetParam().min_error_without_m);
+  EXPECT_TRUE(has_doubt(map, DoubtKind::kContradictingPairs));
+}
+
+std::string test_name(const ::testing::TestParamInfo<ObliqueLog>& info) {
+  return info.param.name == "csail" ? "csail" : "freiburg101";
+}
+
+INSTANTIATE_TEST_SUITE_P(Oblique,
+                         MapFieldLog,
+                         ::testing::Values(ObliqueLog{"csail", 0.11, 0.13},
+                                           ObliqueLog{"freiburg-101", 0.06, 0.5}),
+                         test_name);
+
+TEST(MapFieldLogs, WhatContradictsACorridorMendsIt) {
+  const auto path = data_file("field/mrpt-office.rawlog");
+  if (!path) GTEST_SKIP() << "no real logs";
+  EXPECT_TRUE(map_log(*path, false).doubts.empty());
+  MapperParams params;
+  params.audit.max_mendings = 0;
+  EXPECT_TRUE(has_doubt(map_log(*path, false, params), DoubtKind::kContradictingPairs));
+}
+
+TEST(MapFieldLogs, APieceIsJoinedWhereMatchesHaveTheRobotWhereTheWheelsHaveIt) {
+  const auto path = data_file("field/mrpt-office.rawlog");
+  if (!path) GTEST_SKIP() << "no real logs";
+  const Map map = map_log(*path, true);
+  EXPECT_TRUE(map.doubts.empty());
+  EXPECT_TRUE(std::all_of(map.pieces.begin(), map.pieces.end(), [](const TrackPiece& piece) {
+    return piece.is_joined;
+  }));
+}
+
+}  // namespace setsquare::map_field_logs_test
