@@ -200,4 +200,96 @@ TEST_F(OutputSetTest, ADirectoryInAFilesPlaceIsReportedAtOnce) {
   EXPECT_EQ(entries(), std::set<std::string>{"map.png"});
 }
 
+/// Sets that hold pieces/1.tum and so on, so many of them.
+class NumberedFilesTest : public OutputSetTest {
+ protected:
+  void write_pieces(int num, const std::string& text) const {
+    OutputSet outputs(folder_.string(), kWithPieces);
+    for (int k = 1; k <= num; ++k) outputs.add("pieces/" + std::to_string(k) + ".tum", text);
+    outputs.add("run.json", text);
+    outputs.commit();
+  }
+  /// Names of all that is in `pieces`.
+  [[nodiscard]] std::set<std::string> pieces() const {
+    std::set<std::string> names;
+    if (!fs::is_directory(folder_ / "pieces")) return names;
+    for (const auto& entry : fs::directory_iterator(folder_ / "pieces")) {
+      names.insert(entry.path().filename());
+    }
+    return names;
+  }
+
+  const std::vector<std::string> kWithPieces = {"map.png", "pieces/", "run.json"};
+};
+
+TEST_F(NumberedFilesTest, ThoseOfTheLastSetGoWithIt) {
+  write_pieces(12, "one");
+  EXPECT_EQ(pieces().size(), 12U);
+  write_pieces(2, "two");
+  EXPECT_EQ(pieces(), (std::set<std::string>{"1.tum", "2.tum"}));
+  EXPECT_EQ(content("pieces/2.tum"), "two");
+  write_pieces(0, "three");
+  EXPECT_EQ(entries(), std::set<std::string>{"run.json"}) << "an empty folder goes, too";
+}
+
+TEST_F(NumberedFilesTest, FilesOfOtherNamesThereStay) {
+  const std::set<std::string> others = {"mine.tum", "2.txt", "2b.tum", "-1.tum", ".tum"};
+  for (const std::string& name : others) put("pieces/" + name, "mine");
+  put("pieces/deeper/1.tum", "mine");
+  write_pieces(3, "one");
+  write_pieces(0, "two");
+  for (const std::string& name : others) EXPECT_EQ(content("pieces/" + name), "mine") << name;
+  EXPECT_EQ(content("pieces/deeper/1.tum"), "mine");
+  EXPECT_EQ(pieces().size(), others.size() + 1);
+}
+
+TEST_F(NumberedFilesTest, WithoutCommitTheyStay) {
+  write_pieces(3, "one");
+  {
+    OutputSet outputs(folder_.string(), kWithPieces);
+    outputs.add("pieces/1.tum", "half");
+  }
+  EXPECT_EQ(pieces().size(), 3U);
+  EXPECT_EQ(content("pieces/1.tum"), "one");
+}
+
+TEST_F(NumberedFilesTest, AKillWithinTheCommitIsMadeGoodByTheNextRun) {
+  write_pieces(3, "old");
+  put("pieces/mine.tum", "mine");
+  put(".setsquare-whole/pieces/1.tum", "new");
+  put(".setsquare-whole/run.json", "new");
+  { const OutputSet next(folder_.string(), kWithPieces); }
+  EXPECT_EQ(pieces(), (std::set<std::string>{"1.tum", "mine.tum"}));
+  EXPECT_EQ(content("pieces/1.tum"), "new");
+  EXPECT_EQ(content("run.json"), "new");
+  // While the new files take their places.
+  fs::remove(folder_ / "run.json");
+  put(".setsquare-move/pieces/2.tum", "new");
+  put(".setsquare-move/run.json", "new");
+  { const OutputSet next(folder_.string(), kWithPieces); }
+  EXPECT_EQ(pieces(), (std::set<std::string>{"1.tum", "2.tum", "mine.tum"}));
+  EXPECT_EQ(content("run.json"), "new");
+}
+
+TEST_F(NumberedFilesTest, AnInputThereIsNotReplacedAndOneOfAnotherNameMayBeRead) {
+  write_pieces(2, "one");
+  put("pieces/mine.tum", "mine");
+  const std::string input = (folder_ / "pieces" / "2.tum").string();
+  EXPECT_THROW(OutputSet(folder_.string(), kWithPieces, {input}), FileError);
+  const std::string other = (folder_ / "pieces" / "mine.tum").string();
+  EXPECT_NO_THROW(OutputSet(folder_.string(), kWithPieces, {other}));
+  EXPECT_EQ(content("pieces/2.tum"), "one");
+}
+
+TEST_F(NumberedFilesTest, WhatALinkLeadsToStays) {
+  const fs::path elsewhere = temporary_.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  std::ofstream(elsewhere / "1.tum") << "mine";
+  fs::create_directories(folder_);
+  fs::create_directory_symlink(elsewhere, folder_ / "pieces");
+  write_pieces(1, "one");
+  EXPECT_EQ(testing::content_of(elsewhere / "1.tum"), "mine");
+  EXPECT_EQ(content("pieces/1.tum"), "one");
+}
+
 }  // namespace setsquare::output_set_test

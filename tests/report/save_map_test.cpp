@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -84,6 +85,68 @@ TEST(SaveMap, NothingOfAnOlderMapStays) {
     EXPECT_FALSE(std::filesystem::exists(out + name)) << name;
   }
   EXPECT_EQ(testing::content_of(out + "/notes.txt"), "mine");
+}
+
+/// The same way, the last of its scans so many pieces that could not be joined, of two scans each.
+Map map_with_lost_pieces(std::size_t num_lost) {
+  Map map = map_of_room(true);
+  const std::size_t num_joined = map.scans.size() - 2 * num_lost;
+  map.pieces = {{0, num_joined, true}};
+  for (std::size_t i = num_joined; i < map.scans.size(); ++i) {
+    map.scans[i].is_placed = false;
+    if ((i - num_joined) % 2 == 0) map.pieces.push_back({i, 2, false});
+  }
+  return map;
+}
+
+std::size_t num_lines(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+TEST(SaveMap, EachPieceThatIsNotJoinedHasItsOwnFile) {
+  const testing::TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::vector<std::string> names = save_map(map_with_lost_pieces(2), out);
+  EXPECT_THAT(names, Contains("pieces/2.tum"));
+  EXPECT_THAT(names, Contains("pieces/3.tum"));
+  EXPECT_THAT(names, Not(Contains("pieces/1.tum"))) << "it is joined";
+  EXPECT_EQ(num_lines(testing::content_of(out + "/trajectory.tum")), 4U);
+  EXPECT_EQ(num_lines(testing::content_of(out + "/pieces/2.tum")), 2U);
+  EXPECT_EQ(num_lines(testing::content_of(out + "/pieces/3.tum")), 2U);
+  EXPECT_EQ(num_lines(testing::content_of(out + "/poses.tsv")), 9U) << "all, and the header";
+  // The numbers are those of poses.tsv.
+  EXPECT_THAT(testing::content_of(out + "/poses.tsv"), HasSubstr("\t3\t0\tnot_joined\n"));
+}
+
+TEST(SaveMap, PiecesOfAnOlderMapGoAndOthersFilesThereStay) {
+  const testing::TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  save_map(map_with_lost_pieces(3), out);
+  for (const char* name : {"mine.tum", "2.txt", "2b.tum", ".tum"}) {
+    std::ofstream(out + "/pieces/" + name) << "mine";
+  }
+  save_map(map_with_lost_pieces(1), out);
+  EXPECT_EQ(num_lines(testing::content_of(out + "/pieces/2.tum")), 2U);
+  EXPECT_FALSE(std::filesystem::exists(out + "/pieces/3.tum"));
+  EXPECT_FALSE(std::filesystem::exists(out + "/pieces/4.tum"));
+  save_map(map_of_room(true), out);
+  EXPECT_FALSE(std::filesystem::exists(out + "/pieces/2.tum"));
+  for (const char* name : {"mine.tum", "2.txt", "2b.tum", ".tum"}) {
+    EXPECT_EQ(testing::content_of(out + "/pieces/" + name), "mine") << name;
+    std::filesystem::remove(out + "/pieces/" + name);
+  }
+  save_map(map_of_room(true), out);
+  EXPECT_FALSE(std::filesystem::exists(out + "/pieces")) << "it is empty";
+}
+
+TEST(SaveMap, AFileNamedPiecesStaysOrIsAnError) {
+  const testing::TemporaryFolder folder;
+  const std::string out = folder.path().string();
+  std::ofstream(out + "/pieces") << "mine";
+  save_map(map_of_room(true), out);
+  EXPECT_EQ(testing::content_of(out + "/pieces"), "mine");
+  EXPECT_THROW(save_map(map_with_lost_pieces(1), out), FileError);
+  EXPECT_EQ(testing::content_of(out + "/pieces"), "mine");
 }
 
 TEST(SaveMap, SameMapSameBytesByAnyNumberOfThreads) {

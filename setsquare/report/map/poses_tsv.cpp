@@ -34,8 +34,9 @@ std::vector<std::size_t> pieces_of_scans(const Map& map) {
 std::vector<bool> has_open_length(const Map& map) {
   std::vector<bool> is_open(map.scans.size(), false);
   for (const OpenStretch& stretch : map.open_stretches) {
+    if (stretch.is_turn) continue;
     const std::size_t end = std::min(is_open.size(), stretch.first_scan + stretch.num_scans);
-    for (std::size_t i = stretch.first_scan; i < end; ++i) is_open[i] = !stretch.is_turn;
+    for (std::size_t i = stretch.first_scan; i < end; ++i) is_open[i] = true;
   }
   return is_open;
 }

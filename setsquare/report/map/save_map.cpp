@@ -102,7 +102,11 @@ std::vector<std::string> save_map(const Map& map,
     if (std::ranges::find(names, "pieces/" + name) != names.end()) continue;
     std::filesystem::remove(pieces / name, error);
   }
-  if (!has_pieces) std::filesystem::remove(pieces, error);  // Not where it holds other files.
+  // Not where it holds other files, nor what is no folder: that is not ours.
+  if (!has_pieces &&
+      std::filesystem::is_directory(std::filesystem::symlink_status(pieces, error))) {
+    std::filesystem::remove(pieces, error);
+  }
   return names;
 }
 
