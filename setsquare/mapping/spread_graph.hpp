@@ -11,16 +11,13 @@ namespace setsquare {
 /// The map's graph as far as it tells how certain poses are. For round halls, and for headings that
 /// were lost. What serves the poses is too sure of itself there:
 ///
-/// 1. Where walls leave the turn open, the motion is as uncertain as a turn about the middle. Walls
-/// that leave a turn open (MappedScan::is_turn_open) tell no heading. Such a keyframe's
-///    heading measurement and its closures are left out. Taking the turn about the middle out of
-///    the closures is not enough: they do not agree upon the middle, and many of them bind the turn
-///    by what they differ.
-/// 2. The building's walls tell a heading modulo a quarter turn. Behind a motion whose turn is
-/// known
-///    to no better than 15 degrees the quarter is a guess: heading measurements count on one side
-///    of it only, where they have the most information. A closure over it brings them together
-///    again.
+/// 1. Walls that leave a turn open (MappedScan::is_turn_open) tell no heading: there the motion is
+///    as uncertain as a turn about the middle, and such a keyframe's heading measurement and its
+///    closures are left out. Taking the turn about the middle out of the closures is not enough:
+///    they do not agree upon the middle, and many of them bind the turn by what they differ.
+/// 2. The building's walls tell a heading modulo a quarter turn. Behind a turn that is known to no
+///    better than 15 degrees the quarter is a guess: heading measurements count on one side of it
+///    only, where they have the most information. A closure over it brings them together again.
 [[nodiscard]] PoseGraph spread_graph(const Map& map);
 
 }  // namespace setsquare
