@@ -46,7 +46,7 @@ struct FusedHeadings {
   std::vector<double> measured_information;
   std::vector<int> frame;  ///< Whose walls were seen: index of `frames`; -1 where none has weight.
   std::vector<HeadingFrame> frames;  ///< Of the building, the main one first.
-  std::vector<DoubtedTurn> doubted;  ///< By their order.
+  std::vector<DoubtedTurn> doubted;  ///< As doubted_turns() has them.
 };
 
 /// Headings from the walls' directions and the tracked rotations; no loop is closed, nothing is

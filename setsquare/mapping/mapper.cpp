@@ -358,9 +358,10 @@ void Mapper::Parts::audit_and_mend(Closed& closed, Map& map) const {
     return audit(audited_map, surfaces, params_.audit, params_.num_threads);
   };
   AuditFindings findings = audited(map);
-  for (int round = 0; round < params_.audit.max_mendings && !findings.hypotheses().empty();
-       ++round) {
-    Closed mended = closed_with(closed, findings.hypotheses());
+  for (int round = 0; round < params_.audit.max_mendings; ++round) {
+    const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
+    if (hypotheses.empty()) break;
+    Closed mended = closed_with(closed, hypotheses);
     Map mended_map = map_of(mended);
     AuditFindings of_mended = audited(mended_map);
     if (!explains_more(of_mended.report, findings.report)) break;

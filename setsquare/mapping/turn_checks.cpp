@@ -89,7 +89,8 @@ void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
     for (std::size_t k = gap.from + 1; k <= gap.to; ++k) steps_[k].is_confirmed = true;
     steps_[gap.to].slip_rad = slip_rad;
   };
-  for (std::size_t hop = gap.to - gap.from; hop <= params_.longest_hop; ++hop) {
+  const std::size_t longest_hop = std::min(params_.longest_hop, matches.size() - 1);
+  for (std::size_t hop = gap.to - gap.from; hop <= longest_hop; ++hop) {
     const std::size_t last = std::min(gap.from, matches.size() - 1 - hop);
     for (std::size_t a = std::max(gap.to, hop) - hop; a <= last; ++a) {
       const std::optional<double> beyond_rad = beyond_known_rad(a, a + hop, matches);

@@ -98,6 +98,25 @@ TEST(TurnChecks, WhatIsKnownOfAStepIsKept) {
   EXPECT_EQ(once.heading_rad, again.heading_rad);
 }
 
+TEST(TurnChecks, ATrackShorterThanTheLongestHopIsChecked) {
+  Track track = track_with_slips({{3, rad_from_deg(8.0)}});
+  const auto shorten = [](auto& items) { items.erase(items.begin() + 5, items.end()); };
+  shorten(track.truth);
+  shorten(track.track.keyframes);
+  shorten(track.track.motions);
+  shorten(track.track.stretches);
+  shorten(track.track.pieces);
+  shorten(track.evidence);
+  for (HeadingEvidence& keyframe : track.evidence) {
+    if (!keyframe.proposals.empty()) keyframe.proposals.front().confidence = 1.0;
+  }
+  // Never enough matches, so that every hop is tried.
+  const FusedHeadings fused =
+      TurnChecks({.min_slip_matches = 100}).fuse(track.track, track.evidence, {});
+  EXPECT_EQ(fused.heading_rad.size(), 5U);
+  EXPECT_FALSE(fused.doubted.empty());
+}
+
 TEST(TurnChecks, RefuseWrongParameters) {
   EXPECT_THROW(TurnCheckParams{.agreeing_rad = 0.0}.validate(), ParameterError);
   EXPECT_THROW(TurnCheckParams{.longest_hop = 0}.validate(), ParameterError);

@@ -12,7 +12,7 @@
 namespace setsquare {
 
 /// A way in which a map may be wrong: two of its keyframes, and where scans have the one in the
-/// other. What may mend the map; nothing does so by itself.
+/// other. The mapper closes its loops again by them, where that explains more of all matches.
 struct MapHypothesis {
   std::size_t keyframe_from = 0;  ///< Of Map::keyframes.
   std::size_t keyframe_to = 0;
