@@ -17,7 +17,8 @@ enum class DoubtKind {
   kUnjoinedPiece,       ///< A piece of the track could not be joined to the map.
   kOutvotedClosures,    ///< Loop closures that were accepted and then contradicted all others.
   kUndecidedTurn,       ///< The walls turn there: a slip of tracking, or another wing.
-  kRefusedOdometry,     ///< The odometry was refused where the walls left a direction open, too.
+  /// The odometry was refused where the walls left a direction open, too, or as mirrored.
+  kRefusedOdometry,
 };
 
 /// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "undecided

@@ -233,6 +233,17 @@ TEST(MapAudit, AMendedMapMustExplainMoreOfAllMatches) {
   EXPECT_FALSE(explains_more(mended, before)) << "fewer contradict, but no more agree";
 }
 
+TEST(MapDoubts, AMapThatMayBeMirroredIsDoubtedAsAWhole) {
+  Map map = straight_map(100);
+  map.odometry.verdict = OdometryVerdict::kBelieved;
+  EXPECT_TRUE(doubts_without_matches(map).empty());
+  map.odometry.verdict = OdometryVerdict::kMirrored;
+  const auto doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kRefusedOdometry);
+  EXPECT_EQ(doubts[0].num_scans, 100U);
+}
+
 TEST(MapDoubts, WallsThatTurnedAreOneWhereNoMatchTellsWhy) {
   Map map = straight_map(100);
   map.undecided_turns = {{40, 44, rad_from_deg(-9.0)}, {60, 61, rad_from_deg(2.0)}};

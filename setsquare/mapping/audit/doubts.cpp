@@ -213,6 +213,18 @@ void add_unknown_lengths(const Map& map,
   }
 }
 
+/// A mirrored map agrees with itself: no match contradicts it, the odometry alone does.
+void add_mirrored(const Map& map, std::vector<MapDoubt>& doubts) {
+  if (map.odometry.verdict != OdometryVerdict::kMirrored || map.scans.empty()) return;
+  const ScanRange all{0, map.scans.size() - 1};
+  doubts.push_back(doubt_at(map,
+                            DoubtKind::kRefusedOdometry,
+                            all,
+                            map.scans.front().T_map_base.translation(),
+                            "the odometry turns the other way than the scans: a scanner mounted "
+                            "upside down mirrors the whole map, or the odometry is wrong"));
+}
+
 void add_undecided_turns(const Map& map, std::vector<MapDoubt>& doubts) {
   for (const UndecidedTurn& turn : map.undecided_turns) {
     if (std::abs(turn.turned_rad) < kTurned_rad) continue;
@@ -308,6 +320,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
                                 const AuditFindings& findings,
                                 const AuditParams& params) {
   std::vector<MapDoubt> doubts;
+  add_mirrored(map, doubts);
   add_contradictions(map, findings, params, doubts);
   add_outvoted_closures(map, doubts);
   add_unknown_lengths(map, findings, params, doubts);
