@@ -22,6 +22,9 @@ struct LoopClosure {
   bool is_accepted = false;  ///< Verified, so that it entered the pose graph.
   double weight = 0.0;       ///< Its robust weight in the final graph, 0 to 1.
   std::string reason;        ///< Why it was accepted or refused, in lower-case words.
+
+  /// Accepted, and then contradicted by all the others: a final weight below one half.
+  [[nodiscard]] bool is_outvoted() const { return is_accepted && weight < 0.5; }
 };
 
 }  // namespace setsquare

@@ -7,9 +7,6 @@
 namespace setsquare {
 namespace {
 
-/// A closure of less weight contradicts all the others.
-constexpr double kOutvotedBelow = 0.5;
-
 double step_m(const Map& map, std::size_t i) {
   return (map.scans[i].T_map_base.translation() - map.scans[i - 1].T_map_base.translation()).norm();
 }
@@ -36,7 +33,7 @@ void count_closures(const Map& map, MapSummary& summary) {
     if (!closure.is_accepted) continue;
     ++summary.num_accepted_closures;
     summary.num_one_axis_closures += closure.axes != ClosureAxes::kXY;
-    summary.num_outvoted_closures += closure.weight < kOutvotedBelow;
+    summary.num_outvoted_closures += closure.is_outvoted();
   }
 }
 

@@ -377,13 +377,10 @@ Mapper::Parts::Closed Mapper::Parts::closed_with(
   Closed mended{
       .headings = closed.headings, .closer = LoopCloser(params_.closing), .joined = closed.joined};
   for (const MapHypothesis& hypothesis : hypotheses) {
-    ComparedPlaces places;
-    places.from = hypothesis.keyframe_from;
-    places.to = hypothesis.keyframe_to;
-    places.T_from_to = hypothesis.T_from_to;
-    places.information = hypothesis.information;
-    places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
-    mended.joined.joints.push_back(places);
+    mended.joined.joints.push_back(matched_places(hypothesis.keyframe_from,
+                                                  hypothesis.keyframe_to,
+                                                  hypothesis.T_from_to,
+                                                  hypothesis.information));
   }
   mended.closer.add_joints(mended.joined.joints);
   close_all_loops(mended);

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/audit/doubts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 #include <utility>
 
@@ -22,12 +23,6 @@ constexpr double kTurned_rad = rad_from_deg(3.0);
 constexpr std::size_t kMinOutvoted = 3;
 /// Those whose ends are no more scans apart are of the same part.
 constexpr double kOutvotedPart_m = 12.0;
-
-std::string decimals(double value, int num_decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", num_decimals, value);
-  return text;
-}
 
 /// A first and a last scan.
 struct ScanRange {
@@ -129,11 +124,15 @@ void add_contradictions(const Map& map,
         DoubtKind::kContradictingPairs,
         parts.to,
         map.scans[scan].T_map_base.translation(),
-        text_of(parts.to) + " match " + text_of(parts.from) + " " + decimals(offset.off_m, 2) +
-            " m and " + decimals(deg_from_rad(offset.off_rad), 1) +
-            " deg off where the map has them: " + std::to_string(parts.num_places) +
-            " independent pairs say so, " + std::to_string(parts.num_agreeing) +
-            " agree with the map"));
+        fmt::format(
+            "{} match {} {:.2f} m and {:.1f} deg off where the map has them: {} independent "
+            "pairs say so, {} agree with the map",
+            text_of(parts.to),
+            text_of(parts.from),
+            offset.off_m,
+            deg_from_rad(offset.off_rad),
+            parts.num_places,
+            parts.num_agreeing)));
   }
 }
 
@@ -198,18 +197,22 @@ void add_unknown_lengths(const Map& map,
     if (is_measured(range, wide, map, findings, params)) continue;
     const bool is_refused = !stretch.has_odometry && was_odometry_refused(map);
     const std::string sigma = std::isfinite(stretch.length_sigma_m)
-                                  ? "to " + decimals(stretch.length_sigma_m, 2) + " m (sigma)"
-                                  : std::string("to nothing");
-    doubts.push_back(
-        doubt_at(map,
-                 is_refused ? DoubtKind::kRefusedOdometry : DoubtKind::kUnknownLength,
-                 range,
-                 middle_of(map, range),
-                 "the walls leave a direction open along " + decimals(stretch.way_m, 1) +
-                     " m, whose length is known " + sigma +
-                     (is_refused ? std::string("; the odometry, refused as ") +
-                                       to_string(map.odometry.verdict) + ", could not stand in"
-                                 : std::string())));
+                                  ? fmt::format("to {:.2f} m (sigma)", stretch.length_sigma_m)
+                                  : "to nothing";
+    const std::string refused =
+        is_refused ? fmt::format("; the odometry, refused as {}, could not stand in",
+                                 to_string(map.odometry.verdict))
+                   : "";
+    doubts.push_back(doubt_at(
+        map,
+        is_refused ? DoubtKind::kRefusedOdometry : DoubtKind::kUnknownLength,
+        range,
+        middle_of(map, range),
+        fmt::format("the walls leave a direction open along {:.1f} m, whose length is known "
+                    "{}{}",
+                    stretch.way_m,
+                    sigma,
+                    refused)));
   }
 }
 
@@ -230,14 +233,15 @@ void add_undecided_turns(const Map& map, std::vector<MapDoubt>& doubts) {
     if (std::abs(turn.turned_rad) < kTurned_rad) continue;
     if (!map.scans[turn.first_scan].is_placed || !map.scans[turn.last_scan].is_placed) continue;
     const ScanRange range{turn.first_scan, turn.last_scan};
-    doubts.push_back(doubt_at(map,
-                              DoubtKind::kUndecidedTurn,
-                              range,
-                              middle_of(map, range),
-                              "the walls turn by " +
-                                  decimals(deg_from_rad(std::abs(turn.turned_rad)), 1) +
-                                  " deg: tracking slipped, or another wing begins; no match of " +
-                                  text_of(range) + " tells which"));
+    doubts.push_back(doubt_at(
+        map,
+        DoubtKind::kUndecidedTurn,
+        range,
+        middle_of(map, range),
+        fmt::format("the walls turn by {:.1f} deg: tracking slipped, or another wing begins; "
+                    "no match of {} tells which",
+                    deg_from_rad(std::abs(turn.turned_rad)),
+                    text_of(range))));
   }
 }
 
@@ -279,12 +283,11 @@ bool are_of_same_parts(const MappedClosure& a, const MappedClosure& b, const Map
 /// Closures that were outvoted, in groups: some are the closures' own errors, but where they are
 /// many and outnumber those that hold between the same parts of the track it may be the map's.
 void add_outvoted_closures(const Map& map, std::vector<MapDoubt>& doubts) {
-  constexpr double kOutvotedWeight = 0.5;
   std::vector<const MappedClosure*> left;
   std::vector<const MappedClosure*> held;
   for (const MappedClosure& closure : map.closures) {
     if (!closure.closure.is_accepted) continue;
-    (closure.closure.weight < kOutvotedWeight ? left : held).push_back(&closure);
+    (closure.closure.is_outvoted() ? left : held).push_back(&closure);
   }
   while (!left.empty()) {
     const MappedClosure& centre = *left.front();
@@ -304,13 +307,17 @@ void add_outvoted_closures(const Map& map, std::vector<MapDoubt>& doubts) {
       return true;
     });
     if (num < kMinOutvoted || num <= num_held) continue;
-    doubts.push_back(doubt_at(map,
-                              DoubtKind::kOutvotedClosures,
-                              to,
-                              map.scans[centre.scan_j].T_map_base.translation(),
-                              std::to_string(num) + " loop closures of " + text_of(to) + " with " +
-                                  text_of(from) + " were outvoted, " + std::to_string(num_held) +
-                                  " between the same places hold"));
+    doubts.push_back(
+        doubt_at(map,
+                 DoubtKind::kOutvotedClosures,
+                 to,
+                 map.scans[centre.scan_j].T_map_base.translation(),
+                 fmt::format("{} loop closures of {} with {} were outvoted, {} between the same "
+                             "places hold",
+                             num,
+                             text_of(to),
+                             text_of(from),
+                             num_held)));
   }
 }
 

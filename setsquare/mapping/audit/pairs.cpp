@@ -15,8 +15,6 @@
 namespace setsquare {
 namespace {
 
-/// An accepted closure of less weight contradicts the others.
-constexpr double kOutvotedClosure = 0.5;
 /// Shares of the sample.
 constexpr double kBreakShare = 0.15;
 constexpr double kOutvotedShare = 0.15;
@@ -262,7 +260,7 @@ AuditedTrack audited_track(const Map& map) {
   track.losses = keyframes_after(lost_scans(map), scans);
   track.restarts = keyframes_after(begins_pieces(map), scans);
   for (const MappedClosure& closure : map.closures) {
-    if (!closure.closure.is_accepted || closure.closure.weight >= kOutvotedClosure) continue;
+    if (!closure.closure.is_outvoted()) continue;
     const auto from = std::lower_bound(scans.begin(), scans.end(), closure.scan_i);
     const auto to = std::lower_bound(scans.begin(), scans.end(), closure.scan_j);
     if (from == scans.end() || to == scans.end() || *from != closure.scan_i ||

@@ -123,6 +123,19 @@ ComparedPlaces judged_places(std::size_t from,
   return places;
 }
 
+ComparedPlaces matched_places(std::size_t from,
+                              std::size_t to,
+                              const Pose2& T_from_to,
+                              const Eigen::Matrix3d& information) {
+  return {.from = from,
+          .to = to,
+          .T_from_to = T_from_to,
+          .information = information,
+          .verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY},
+          .score = 0.0,
+          .contradiction = 0.0};
+}
+
 Constraint closure_constraint(const ComparedPlaces& places) {
   return {.from = places.from,
           .to = places.to,

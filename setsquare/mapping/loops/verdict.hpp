@@ -64,6 +64,12 @@ struct ComparedPlaces {
                                            double point_sigma_m,
                                            const ClosureVerdictParams& params);
 
+/// Places that a match of two scans ties, accepted as it is. `information`: as in Constraint.
+[[nodiscard]] ComparedPlaces matched_places(std::size_t from,
+                                            std::size_t to,
+                                            const Pose2& T_from_to,
+                                            const Eigen::Matrix3d& information);
+
 /// The constraint of a pair that was accepted.
 [[nodiscard]] Constraint closure_constraint(const ComparedPlaces& places);
 

@@ -255,11 +255,10 @@ class PieceJoiner {
       proposal.weight = vote_weight(match.status);
       if (!match.T_reference_current || proposal.weight == 0.0) continue;
       const Pose2& T_map_known = T_map_sensor_[proposal.known];
-      proposal.places.from = proposal.known;
-      proposal.places.to = proposal.sought;
-      proposal.places.T_from_to = *match.T_reference_current;
-      proposal.places.information = information_of_joint(params_);
-      proposal.places.verdict = {ClosureReason::kStandsAlone, ClosureAxes::kXY};
+      proposal.places = matched_places(proposal.known,
+                                       proposal.sought,
+                                       *match.T_reference_current,
+                                       information_of_joint(params_));
       proposal.places.score = match.score;
       proposal.places.contradiction = match.contradiction;
       proposal.T_map_piece =

@@ -179,7 +179,7 @@ void MapRecording::write_closures(Timestamp stamp) {
     const Pose2* from = pose_at(closure.stamp_i);
     const Pose2* to = pose_at(closure.stamp_j);
     if (from == nullptr || to == nullptr) continue;
-    lines.push_back({from->translation(), to->translation(), closure.weight >= 0.5});
+    lines.push_back({from->translation(), to->translation(), !closure.is_outvoted()});
   }
   encode_closure_markers(lines, stamp, cdr_);
   file_.write(closure_channel_, stamp, cdr_.message());
