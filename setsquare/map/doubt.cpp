@@ -18,6 +18,8 @@ const char* to_string(DoubtKind kind) {
       return "undecided turn";
     case DoubtKind::kRefusedOdometry:
       return "refused odometry";
+    case DoubtKind::kMirrored:
+      return "may be mirrored";
   }
   return "unknown";
 }

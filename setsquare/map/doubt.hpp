@@ -17,12 +17,12 @@ enum class DoubtKind {
   kUnjoinedPiece,       ///< A piece of the track could not be joined to the map.
   kOutvotedClosures,    ///< Loop closures that were accepted and then contradicted all others.
   kUndecidedTurn,       ///< The walls turn there: a slip of tracking, or another wing.
-  /// The odometry was refused where the walls left a direction open, too, or as mirrored.
-  kRefusedOdometry,
+  kRefusedOdometry,     ///< The odometry was refused where the walls left a direction open, too.
+  kMirrored,            ///< Odometry or gyro turn the other way than the scans, all along.
 };
 
 /// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "undecided
-/// turn", "refused odometry".
+/// turn", "refused odometry", "may be mirrored".
 [[nodiscard]] const char* to_string(DoubtKind kind);
 
 /// A place where the map may be wrong, and why.

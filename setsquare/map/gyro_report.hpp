@@ -27,6 +27,11 @@ struct GyroReport {
   double scale = 0.0;           ///< The scans' turns over the gyro's.
   double scans_late_s = 0.0;    ///< The scans' stamps behind the gyro's, where it is not believed.
   double bias_rad_per_s = 0.0;  ///< What it shows where the robot does not turn, at the end.
+
+  /// Whether it was found to turn the other way than the scans, whatever its unit.
+  [[nodiscard]] bool turns_other_way() const {
+    return verdict == GyroVerdict::kMirrored || (verdict == GyroVerdict::kDegrees && scale < 0.0);
+  }
 };
 
 }  // namespace setsquare

@@ -238,10 +238,18 @@ TEST(MapDoubts, AMapThatMayBeMirroredIsDoubtedAsAWhole) {
   map.odometry.verdict = OdometryVerdict::kBelieved;
   EXPECT_TRUE(doubts_without_matches(map).empty());
   map.odometry.verdict = OdometryVerdict::kMirrored;
-  const auto doubts = doubts_without_matches(map);
+  auto doubts = doubts_without_matches(map);
   ASSERT_EQ(doubts.size(), 1U);
-  EXPECT_EQ(doubts[0].kind, DoubtKind::kRefusedOdometry);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kMirrored);
   EXPECT_EQ(doubts[0].num_scans, 100U);
+  map.odometry.verdict = OdometryVerdict::kBelieved;
+  map.gyro.verdict = GyroVerdict::kDegrees;
+  map.gyro.scale = 0.017;
+  EXPECT_TRUE(doubts_without_matches(map).empty());
+  map.gyro.scale = -0.017;
+  doubts = doubts_without_matches(map);
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].kind, DoubtKind::kMirrored);
 }
 
 TEST(MapDoubts, WallsThatTurnedAreOneWhereNoMatchTellsWhy) {

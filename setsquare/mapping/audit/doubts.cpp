@@ -216,16 +216,20 @@ void add_unknown_lengths(const Map& map,
   }
 }
 
-/// A mirrored map agrees with itself: no match contradicts it, the odometry alone does.
+/// A mirrored map agrees with itself: no match contradicts it, odometry and gyro alone do.
 void add_mirrored(const Map& map, std::vector<MapDoubt>& doubts) {
-  if (map.odometry.verdict != OdometryVerdict::kMirrored || map.scans.empty()) return;
+  const bool by_odometry = map.odometry.verdict == OdometryVerdict::kMirrored;
+  if (map.scans.empty() || !(by_odometry || map.gyro.turns_other_way())) return;
   const ScanRange all{0, map.scans.size() - 1};
   doubts.push_back(doubt_at(map,
-                            DoubtKind::kRefusedOdometry,
+                            DoubtKind::kMirrored,
                             all,
                             map.scans.front().T_map_base.translation(),
-                            "the odometry turns the other way than the scans: a scanner mounted "
-                            "upside down mirrors the whole map, or the odometry is wrong"));
+                            fmt::format("the {} turns the other way than the scans: a scanner "
+                                        "mounted upside down mirrors the whole map, or the {} is "
+                                        "wrong",
+                                        by_odometry ? "odometry" : "gyro",
+                                        by_odometry ? "odometry" : "gyro")));
 }
 
 void add_undecided_turns(const Map& map, std::vector<MapDoubt>& doubts) {
