@@ -9,6 +9,9 @@
 //   while (const auto* record = log->next()) mapper.add(record->scan, record->T_odom_base);
 //   save_map(mapper.finish(), "out");
 //
+//   const MappedLog mapped = map_logs({"intel.clf"});  // The same in one call.
+//   save_map(mapped.map, "out", save_options_of(mapped));
+//
 // Link setsquare::setsquare. To match one scan with many, `prepare` each once.
 #pragma once
 
@@ -19,5 +22,6 @@
 #include "setsquare/map/map.hpp"                   // IWYU pragma: export
 #include "setsquare/mapping/mapper.hpp"            // IWYU pragma: export
 #include "setsquare/matching/scan_matcher.hpp"     // IWYU pragma: export
+#include "setsquare/pipeline/map_log.hpp"          // IWYU pragma: export
 #include "setsquare/report/map/save_map.hpp"       // IWYU pragma: export
 #include "setsquare/scan/scan.hpp"                 // IWYU pragma: export

@@ -3,8 +3,6 @@
 #include "apps/setsquare/preset.hpp"
 
 #include "apps/setsquare/command_line/options.hpp"
-#include "setsquare/matching/scan_matcher.hpp"
-#include "setsquare/paper/paper_matcher.hpp"
 
 namespace setsquare::app {
 
@@ -24,10 +22,6 @@ void add_frame_option(CLI::App& subcommand, bool& is_of_sensor) {
                          {{"base", false}, {"sensor", true}},
                          "Poses of the robot (base) or of the laser (sensor)",
                          "base");
-}
-
-MatchResult match_by(Preset preset, const Scan& reference, const Scan& current) {
-  return preset == Preset::kPaper ? match_paper(reference, current) : match(reference, current);
 }
 
 }  // namespace setsquare::app

@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 
 #include "apps/setsquare/info/report.hpp"
-#include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
+#include "setsquare/io/logs/faults/findings_json.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -116,7 +116,7 @@ void print_info_json(const InfoReport& report, std::ostream& out) {
                      {"odometry_records", json_from(report.survey.wheel_odometry)},
                      {"num_true_poses", report.survey.num_true_poses},
                      {"problems", json_from(report.problems)},
-                     {"findings", Json::parse(json_of_findings(report.findings))}};
+                     {"findings", Json::parse(findings_json(report.findings))}};
   // A path need not be UTF-8.
   out << json.dump(2, ' ', false, Json::error_handler_t::replace) << "\n";
 }

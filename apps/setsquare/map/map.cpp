@@ -17,20 +17,30 @@
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/map/outputs.hpp"
-#include "apps/setsquare/map/run.hpp"
-#include "apps/setsquare/map/sensors.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
+#include "apps/setsquare/preset.hpp"
+#include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/scans/findings.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/angle.hpp"
-#include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
+#include "setsquare/pipeline/map_log.hpp"
+#include "setsquare/pipeline/run_sentences.hpp"
 
 namespace setsquare::app {
 namespace {
+
+/// What `setsquare map` was asked to do.
+struct MapOptions {
+  std::vector<std::string> log_paths;  ///< Of one run, in their order.
+  std::string output_path;             ///< A directory; made if it is not there.
+  bool is_of_sensor = false;           ///< Poses of the sensor instead of the robot's.
+  bool is_strict = false;              ///< Doubts make the exit code 3.
+  MapLogOptions mapping;
+};
 
 double seconds_of(const StageClock& clock) {
   double sum_s = 0.0;
@@ -95,50 +105,48 @@ void tell_findings(std::vector<LogFinding> findings) {
   print_findings(findings, std::cout);
 }
 
-/// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
-void require_something_mapped(const MapOptions& options,
-                              const MapSummary& summary,
-                              const std::vector<LogFinding>& findings) {
-  const std::size_t num_scans = summary.num_scans;
-  if (num_scans == 0 || summary.num_lost < num_scans) return;
-  std::string reason =
-      fmt::format("none of its {} scans could be mapped: too few returns within range", num_scans);
-  for (const LogFinding& finding : findings) reason += "; " + text_of(finding);
-  throw FileError(options.log_name(), reason);
-}
-
-void map_log(MapOptions options) {
-  if (options.num_threads == 0) {
-    options.num_threads = std::max(1U, std::thread::hardware_concurrency());
-  }
-  if (options.preset == Preset::kPaper && names_several(options.log.sensor)) {
-    throw Error("--sensor: the preset \"paper\" maps one scanner");
-  }
-  StageClock clock;
-  LogOptions log_options = options.log;
-  log_options.scans_only = false;  // the odometry is surveyed, turn rates are used
-  const auto reader = open_logs(options.log_paths, log_options);
-  OutputSet outputs(options.output_path, map_output_names(), options.log_paths);
-  const MapRun run = run_map(*reader, options, clock);
-  const MapSummary summary = summary_of(run.map);
-  require_something_mapped(options, summary, run.findings);
-  write_map_outputs(outputs, options, run, clock);
-  std::cout << verdict_text(run.map);
-  tell(summary, seconds_of(clock));
-  for (const std::string& sentence : sentences_on(run.map.scanners, run.scanner_names)) {
+void tell_run(const MappedLog& mapped) {
+  const Map& map = mapped.map;
+  for (const std::string& sentence : sentences_on(map.scanners, mapped.scanner_names)) {
     std::cout << sentence << "\n";
   }
-  if (run.map.num_with_odometry > 0 || run.map.odometry.num_ignored > 0) {
-    std::cout << sentence_on(run.map.odometry) << "\n";
+  if (map.num_with_odometry > 0 || map.odometry.num_ignored > 0) {
+    std::cout << sentence_on(map.odometry) << "\n";
   }
-  if (run.map.gyro.num_samples > 0) std::cout << sentence_on(run.map.gyro) << "\n";
-  if (const std::string on_sweep = sentence_on(run.map.sweep); !on_sweep.empty()) {
+  if (map.gyro.num_samples > 0) std::cout << sentence_on(map.gyro) << "\n";
+  if (const std::string on_sweep = sentence_on(map.sweep); !on_sweep.empty()) {
     std::cout << on_sweep << "\n";
   }
+}
+
+MappedLog map_log_with_progress(LogReader& reader, const MapOptions& options, StageClock& clock) {
+  ProgressBar progress("mapping");
+  return map_log(
+      reader,
+      name_of_logs(options.log_paths),
+      options.mapping,
+      {.on_progress = [&](std::optional<double> fraction) { progress.advance(fraction); },
+       .on_stage = [&](const std::string& stage) { clock.begin(stage); }});
+}
+
+void map_command(MapOptions options) {
+  if (options.mapping.num_threads == 0) {
+    options.mapping.num_threads = std::max(1U, std::thread::hardware_concurrency());
+  }
+  StageClock clock;
+  LogOptions log_options = options.mapping.log;
+  log_options.scans_only = false;  // The odometry is surveyed, turn rates are used.
+  const auto reader = open_logs(options.log_paths, log_options);
+  OutputSet outputs(options.output_path, map_output_names(), options.log_paths);
+  const MappedLog mapped = map_log_with_progress(*reader, options, clock);
+  write_map_outputs(outputs, mapped, options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase, clock);
+  std::cout << verdict_text(mapped.map);
+  tell(summary_of(mapped.map), seconds_of(clock));
+  tell_run(mapped);
   tell_files(options.output_path, outputs.added());
-  tell_findings(run.findings);
-  tell_problems(options.log_name(), run.problems);
-  if (options.is_strict && !run.map.doubts.empty()) throw CLI::RuntimeError(kExitDoubtful);
+  tell_findings(mapped.findings);
+  tell_problems(mapped.name, mapped.problems);
+  if (options.is_strict && !mapped.map.doubts.empty()) throw CLI::RuntimeError(kExitDoubtful);
 }
 
 }  // namespace
@@ -152,20 +160,23 @@ void add_map(CLI::App& application) {
       ->type_name("DIR")
       ->required();
   map->add_flag_callback(
-      "--no-odometry", [options] { options->uses_odometry = false; }, "Use the scans alone");
+      "--no-odometry",
+      [options] { options->mapping.uses_odometry = false; },
+      "Use the scans alone");
   map->add_flag_callback(
       "--no-audit",
-      [options] { options->is_audited = false; },
+      [options] { options->mapping.is_audited = false; },
       "Do not match pairs of scans against the finished map");
   map->add_flag("--strict", options->is_strict, "Exit with 3 where the map is doubtful");
-  options->num_threads = 0;
-  map->add_option("--threads", options->num_threads, "Threads; any number gives the same map")
+  options->mapping.num_threads = 0;
+  map->add_option(
+         "--threads", options->mapping.num_threads, "Threads; any number gives the same map")
       ->check(whole_number(1, 1024))
       ->type_name("N")
       ->default_str("one per processor");
-  add_preset_option(*map, options->preset);
+  add_preset_option(*map, options->mapping.preset);
   add_frame_option(*map, options->is_of_sensor);
-  add_log_options(*map, options->log);
+  add_log_options(*map, options->mapping.log);
   map->footer(
       "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
       "trajectory.tum (the pose of each scan that is placed), pieces/N.tum (of those that are "
@@ -179,7 +190,7 @@ void add_map(CLI::App& application) {
       "  setsquare map intel.clf -o out --no-odometry\n"
       "  setsquare map robot.clf -o out --sensor all --mounting ROBOTLASER2=-0.2,0,180\n"
       "  zcat intel.clf.gz | setsquare map - -o out");
-  map->callback([options] { map_log(*options); });
+  map->callback([options] { map_command(*options); });
 }
 
 }  // namespace setsquare::app

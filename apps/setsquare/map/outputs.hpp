@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "apps/setsquare/map/run.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
+#include "setsquare/pipeline/map_log.hpp"
 
 namespace setsquare::app {
 
@@ -19,8 +19,8 @@ namespace setsquare::app {
 /// now; what is made here becomes stages of it, and all go into timing.json. Throws FileError;
 /// nothing has changed then.
 void write_map_outputs(OutputSet& outputs,
-                       const MapOptions& options,
-                       const MapRun& run,
+                       const MappedLog& mapped,
+                       PoseOf pose_of,
                        StageClock& clock);
 
 }  // namespace setsquare::app

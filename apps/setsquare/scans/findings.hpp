@@ -3,7 +3,6 @@
 #pragma once
 
 #include <ostream>
-#include <string>
 #include <vector>
 
 #include "setsquare/io/logs/faults/finding.hpp"
@@ -12,9 +11,5 @@ namespace setsquare::app {
 
 /// Prints each finding as an indented line, with the option that mends it.
 void print_findings(const std::vector<LogFinding>& findings, std::ostream& out);
-
-/// The findings as a JSON array of {"kind", "sentence", "share", "option"}, for `info --json` and
-/// run.json; the option is null where none mends it.
-[[nodiscard]] std::string json_of_findings(const std::vector<LogFinding>& findings);
 
 }  // namespace setsquare::app

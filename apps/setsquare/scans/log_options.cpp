@@ -267,10 +267,6 @@ void add_log_options(CLI::App& subcommand, LogOptions& options) {
   add_log_mending_options(subcommand, options);
 }
 
-std::string title_of_log(const std::string& path) {
-  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
-}
-
 void tell_problems(const std::string& path, const LogProblems& problems) {
   if (problems.num_damaged > 0) {
     std::cerr << "setsquare: " << path << ": " << summary(problems) << "\n";

@@ -22,9 +22,6 @@ void add_log_arguments(CLI::App& subcommand, std::vector<std::string>& paths);
 /// --layout and what goes with it, and others. `options` must outlive the application.
 void add_log_options(CLI::App& subcommand, LogOptions& options);
 
-/// "standard input" for "-", else the last part of the path: how a page or a picture names the log.
-[[nodiscard]] std::string title_of_log(const std::string& path);
-
 /// Reports on standard error, at the end of a run, what was wrong with a log: one line for the
 /// damaged records, one for each remark. Nothing where nothing was.
 void tell_problems(const std::string& path, const LogProblems& problems);

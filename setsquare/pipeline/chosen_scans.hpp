@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
+// Apart from map_log, its only caller: which scans, against what is done with them.
 #pragma once
 
 #include <map>
 #include <string>
-#include <vector>
 
 #include "setsquare/io/logs/log_reader.hpp"
-#include "setsquare/map/gyro_report.hpp"
-#include "setsquare/map/mapped_scanner.hpp"
-#include "setsquare/map/odometry_report.hpp"
-#include "setsquare/map/sweep_report.hpp"
 
-namespace setsquare::app {
+namespace setsquare {
 
 /// Which scans of a log with several scanners a map is made of. The leader's come first: it is the
 /// one by which the others are judged. A sweep that the log holds under two names, as CARMEN logs
@@ -43,19 +39,4 @@ class ChosenScans {
 /// Whether an option's value names several sensors: "all", or a list with commas.
 [[nodiscard]] bool names_several(const std::string& sensor);
 
-/// What to tell of the robot's scanners at the end of a run, one sentence each: which are mapped,
-/// which are not and why, and the option that would mend it. `names`: of their numbers. Nothing for
-/// one scanner alone.
-[[nodiscard]] std::vector<std::string> sentences_on(
-    const std::vector<MappedScanner>& scanners, const std::map<std::uint32_t, std::string>& names);
-
-/// The same of a gyro that the log holds.
-[[nodiscard]] std::string sentence_on(const GyroReport& gyro);
-
-/// The same of the odometry.
-[[nodiscard]] std::string sentence_on(const OdometryReport& odometry);
-
-/// The same of the scanner's sweep; empty where nothing is known of it.
-[[nodiscard]] std::string sentence_on(const SweepReport& sweep);
-
-}  // namespace setsquare::app
+}  // namespace setsquare

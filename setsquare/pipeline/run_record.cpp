@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "apps/setsquare/map/record.hpp"
+#include "setsquare/pipeline/run_record.hpp"
 
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "apps/setsquare/scans/findings.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/rounded.hpp"
+#include "setsquare/io/logs/faults/findings_json.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 
-namespace setsquare::app {
+namespace setsquare {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -21,7 +21,7 @@ std::string text_from(const Json& json) {
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-Json parameters(const MapOptions& options) {
+Json parameters(const MapLogOptions& options) {
   if (options.preset == Preset::kPaper) {
     const PaperMapperParams params;
     return {{"keyframe_distance_m", params.keyframe_distance_m},
@@ -54,8 +54,9 @@ Json json_if(const std::optional<double>& value, double unit) {
   return value ? Json(rounded(unit * *value)) : Json();
 }
 
-/// The options of the command that decide what the map is; --preset and --frame are recorded apart.
-Json json_of_options(const MapOptions& options) {
+/// The options that decide what the map is; the preset and whose poses are saved are recorded
+/// apart.
+Json json_of_options(const MapLogOptions& options) {
   const double degrees = deg_from_rad(1.0);
   return {{"odometry", options.uses_odometry},
           {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
@@ -76,16 +77,16 @@ Json json_of_options(const MapOptions& options) {
 
 }  // namespace
 
-RunRecord record_of(const MapOptions& options, const MapRun& run) {
-  return {.log = options.log_name(),
-          .format = run.format,
-          .sensor = run.sensor,
-          .scanner_names = run.scanner_names,
-          .preset = options.preset == Preset::kPaper ? "paper" : "default",
-          .options_json = text_from(json_of_options(options)),
-          .parameters_json = text_from(parameters(options)),
-          .findings_json = json_of_findings(run.findings),
-          .num_damaged_records = run.problems.num_damaged};
+RunRecord record_of(const MappedLog& mapped) {
+  return {.log = mapped.name,
+          .format = mapped.format,
+          .sensor = mapped.sensor,
+          .scanner_names = mapped.scanner_names,
+          .preset = mapped.options.preset == Preset::kPaper ? "paper" : "default",
+          .options_json = text_from(json_of_options(mapped.options)),
+          .parameters_json = text_from(parameters(mapped.options)),
+          .findings_json = findings_json(mapped.findings),
+          .num_damaged_records = mapped.problems.num_damaged};
 }
 
-}  // namespace setsquare::app
+}  // namespace setsquare

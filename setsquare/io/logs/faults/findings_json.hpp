@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "setsquare/io/logs/faults/finding.hpp"
+
+namespace setsquare {
+
+/// The findings as a JSON array of {"kind", "sentence", "share", "option"}, for `info --json` and
+/// run.json; the option is null where none mends it.
+[[nodiscard]] std::string findings_json(const std::vector<LogFinding>& findings);
+
+}  // namespace setsquare

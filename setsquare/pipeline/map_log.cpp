@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/pipeline/map_log.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/faults/find_faults.hpp"
+#include "setsquare/io/logs/log_chain.hpp"
+#include "setsquare/map/map_summary.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/paper_mapper.hpp"
+#include "setsquare/pipeline/chosen_scans.hpp"
+#include "setsquare/pipeline/run_record.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Surveys the log and feeds its scans and turn rates to a mapper: `add` takes a record.
+template <typename Add>
+void feed(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped, Add add) {
+  LogSurvey survey;
+  ChosenScans chosen(mapped.options.log.sensor);
+  while (const LogRecord* record = reader.next()) {
+    survey.add(*record);
+    if (record->kind == RecordKind::kTurnRate) {
+      add(*record);
+    } else if (record->kind == RecordKind::kScan && chosen.takes(*record, reader.front_sensor())) {
+      mapped.scanner_names.try_emplace(record->scan.scanner, record->sensor);
+      add(*record);
+    }
+    if (watcher.on_progress) watcher.on_progress(reader.fraction_read());
+  }
+  mapped.problems = reader.problems();
+  for (const auto& [name, other] : chosen.repeated()) {
+    mapped.problems.remarks.push_back("sensor " + name + " repeats the sweeps of " + other +
+                                      ": left out");
+  }
+  mapped.findings = find_faults(survey, mapped.problems);
+}
+
+void map_by_paper(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
+  PaperMapper mapper;
+  feed(reader, watcher, mapped, [&](const LogRecord& record) {
+    if (record.kind == RecordKind::kScan) mapper.add(record.scan);
+  });
+  if (watcher.on_stage) watcher.on_stage("finishing");
+  mapped.map = mapper.finish();
+}
+
+void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
+  const MapLogOptions& options = mapped.options;
+  MapperParams params;
+  params.num_threads = options.num_threads;
+  params.audit.is_on = options.is_audited;
+  params.tracker.deskew.trial.is_on = !options.log.sweep_time_s;  // What the user says holds.
+  Mapper mapper(params);
+  feed(reader, watcher, mapped, [&](const LogRecord& record) {
+    if (record.kind == RecordKind::kTurnRate) {
+      mapper.add_turn_rate(record.stamp, record.turn_rad_per_s.value_or(0.0));
+      return;
+    }
+    mapper.add(record.scan, options.uses_odometry ? record.T_odom_base : std::nullopt);
+  });
+  if (watcher.on_stage) watcher.on_stage("finishing");
+  mapped.map = mapper.finish();
+}
+
+/// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
+void require_something_mapped(const MappedLog& mapped) {
+  const MapSummary summary = summary_of(mapped.map);
+  if (summary.num_scans == 0 || summary.num_lost < summary.num_scans) return;
+  std::string reason = fmt::format(
+      "none of its {} scans could be mapped: too few returns within range", summary.num_scans);
+  for (const LogFinding& finding : mapped.findings) reason += "; " + text_of(finding);
+  throw FileError(mapped.name, reason);
+}
+
+}  // namespace
+
+std::string name_of_logs(const std::vector<std::string>& paths) {
+  return paths.size() == 1 ? paths.front()
+                           : fmt::format("{} and {} more", paths.front(), paths.size() - 1);
+}
+
+std::string title_of_log(const std::string& path) {
+  return path == "-" ? "standard input" : std::filesystem::path(path).filename().string();
+}
+
+MappedLog map_logs(const std::vector<std::string>& paths,
+                   const MapLogOptions& options,
+                   const MapLogWatcher& watcher) {
+  if (paths.empty()) throw ParameterError("paths", "must name a log");
+  LogOptions log_options = options.log;
+  log_options.scans_only = false;  // The odometry is surveyed, turn rates are used.
+  const auto reader = open_logs(paths, log_options);
+  return map_log(*reader, name_of_logs(paths), options, watcher);
+}
+
+MappedLog map_log(LogReader& reader,
+                  const std::string& name,
+                  const MapLogOptions& options,
+                  const MapLogWatcher& watcher) {
+  if (options.preset == Preset::kPaper && names_several(options.log.sensor)) {
+    throw ParameterError("sensor", "the preset \"paper\" maps one scanner");
+  }
+  MappedLog mapped;
+  mapped.name = name;
+  mapped.options = options;
+  if (watcher.on_stage) watcher.on_stage("tracking and closing");
+  if (options.preset == Preset::kPaper) {
+    map_by_paper(reader, watcher, mapped);
+  } else {
+    map_by_default(reader, watcher, mapped);
+  }
+  mapped.format = reader.format();
+  mapped.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
+  require_something_mapped(mapped);
+  return mapped;
+}
+
+SaveMapOptions save_options_of(const MappedLog& mapped, PoseOf pose_of) {
+  return {.title = title_of_log(mapped.name),
+          .pose_of = pose_of,
+          .num_threads = static_cast<int>(mapped.options.num_threads),
+          .run = record_of(mapped)};
+}
+
+}  // namespace setsquare

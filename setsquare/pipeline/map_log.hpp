@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// From a log to a map in one call: what the command and the Python package do.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setsquare/io/logs/faults/finding.hpp"
+#include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/map/map.hpp"
+#include "setsquare/pipeline/preset.hpp"
+#include "setsquare/report/map/save_map.hpp"
+
+namespace setsquare {
+
+/// What decides which map a log gives.
+struct MapLogOptions {
+  LogOptions log;
+  Preset preset = Preset::kDefault;
+  bool uses_odometry = true;
+  bool is_audited = true;       ///< Whether pairs of scans are matched against the finished map.
+  std::size_t num_threads = 1;  ///< Any number gives the same map.
+};
+
+/// Is told how far map_log is. Either may be empty.
+struct MapLogWatcher {
+  /// After each record: the share of the log that has been read, 0 to 1, where it is known. What it
+  /// throws ends map_log.
+  std::function<void(std::optional<double> fraction_read)> on_progress = {};
+  /// Before each stage: "tracking and closing", "finishing".
+  std::function<void(const std::string& stage)> on_stage = {};
+};
+
+/// A log mapped.
+struct MappedLog {
+  Map map;
+  std::string name;  ///< Of the log, as run.json and messages have it.
+  std::string format;
+  std::string sensor;
+  std::map<std::uint32_t, std::string> scanner_names;  ///< By Scan::scanner.
+  LogProblems problems;
+  std::vector<LogFinding> findings;  ///< What is wrong with the log, problems included.
+  MapLogOptions options;             ///< By which it was mapped.
+};
+
+/// How messages and files name a run of several logs: by the first, and how many follow.
+[[nodiscard]] std::string name_of_logs(const std::vector<std::string>& paths);
+
+/// "standard input" for "-", else the last part of the path: how a page or a picture names the log.
+[[nodiscard]] std::string title_of_log(const std::string& path);
+
+/// Reads logs of one run, one after the other, and maps them: open_logs() and map_log(). Throws
+/// FileError, FormatError, ParameterError.
+[[nodiscard]] MappedLog map_logs(const std::vector<std::string>& paths,
+                                 const MapLogOptions& options = {},
+                                 const MapLogWatcher& watcher = {});
+
+/// Reads the opened log to its end, scan by scan, and maps it. Throws FileError, FormatError,
+/// ParameterError; FileError, too, where not one of its scans could be mapped.
+[[nodiscard]] MappedLog map_log(LogReader& reader,
+                                const std::string& name,
+                                const MapLogOptions& options = {},
+                                const MapLogWatcher& watcher = {});
+
+/// How save_map() writes it, so that the files are those of `setsquare map` with the same options.
+[[nodiscard]] SaveMapOptions save_options_of(const MappedLog& mapped,
+                                             PoseOf pose_of = PoseOf::kBase);
+
+}  // namespace setsquare

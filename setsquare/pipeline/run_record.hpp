@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "setsquare/pipeline/map_log.hpp"
+#include "setsquare/report/map/run_json.hpp"
+
+namespace setsquare {
+
+/// What run.json records of a run, apart from its map: the log, the options, the parameters that
+/// decide most.
+[[nodiscard]] RunRecord record_of(const MappedLog& mapped);
+
+}  // namespace setsquare
