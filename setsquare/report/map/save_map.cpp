@@ -37,6 +37,11 @@ std::string png_of(const Map& map,
 
 }  // namespace
 
+std::string map_png(const Map& map, int num_threads) {
+  const OccupancyGrid grid = occupancy_grid(map, num_threads);
+  return png_of(map, grid, closures_of(map), num_threads);
+}
+
 void make_map_files(
     const Map& map,
     const SaveMapOptions& options,

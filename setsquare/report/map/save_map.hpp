@@ -31,6 +31,9 @@ void make_map_files(
     const SaveMapOptions& options,
     const std::function<void(const std::string& name, std::string_view bytes)>& add);
 
+/// map.png alone: the map for people, as PNG. Any number of threads gives the same bytes.
+[[nodiscard]] std::string map_png(const Map& map, int num_threads = 1);
+
 /// Writes the same files into a folder, which is made where it is absent, as `setsquare map` does
 /// but for timing.json. None of the files changes before all are made; those of an older map that
 /// this one does not have are removed; other files in the folder stay. Returns the names in their

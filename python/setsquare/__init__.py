@@ -1,0 +1,85 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+"""2-D laser scans of a building to a map whose walls are straight and square.
+
+    import setsquare
+
+    map = setsquare.map_log("intel.clf")            # any format, no parameters
+    map.save("out")                                 # every file that the command writes
+    answer = setsquare.match(ranges_a, ranges_b, fov_deg=180)   # no initial guess
+
+Angles are in rad and lengths in m, unless a name says otherwise (fov_deg, stamp_ns). A pose T_a_b
+maps points of frame b into frame a. In a notebook scans, matches and maps draw themselves;
+setsquare.plot draws them with Matplotlib.
+"""
+
+from setsquare import _notebook
+from setsquare._core import (
+    AbsoluteTrajectoryError,
+    Error,
+    ErrorStatistics,
+    FileError,
+    FormatError,
+    LogReader,
+    LogRecord,
+    Map,
+    MapDoubt,
+    Mapper,
+    MatchResult,
+    MeanAndDeviation,
+    OccupancyGrid,
+    ParameterError,
+    Pose2,
+    PoseGraph,
+    PreparedScan,
+    RelationErrorReport,
+    RelationErrors,
+    RunnerUp,
+    Scan,
+    TrackedPose,
+    Trajectory,
+    __version__,
+    evaluate_relations,
+    evaluate_trajectory,
+    explain,
+    map_log,
+    match,
+    prepare,
+    read_log,
+)
+
+__all__ = [
+    "AbsoluteTrajectoryError",
+    "Error",
+    "ErrorStatistics",
+    "FileError",
+    "FormatError",
+    "LogReader",
+    "LogRecord",
+    "Map",
+    "MapDoubt",
+    "Mapper",
+    "MatchResult",
+    "MeanAndDeviation",
+    "OccupancyGrid",
+    "ParameterError",
+    "Pose2",
+    "PoseGraph",
+    "PreparedScan",
+    "RelationErrorReport",
+    "RelationErrors",
+    "RunnerUp",
+    "Scan",
+    "TrackedPose",
+    "Trajectory",
+    "__version__",
+    "evaluate_relations",
+    "evaluate_trajectory",
+    "explain",
+    "map_log",
+    "match",
+    "prepare",
+    "read_log",
+]
+
+_notebook.install()

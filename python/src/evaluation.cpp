@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Errors against the truth.
+#include <fmt/format.h>
+#include <pybind11/stl.h>
+
+#include "python/src/bindings.hpp"
+#include "python/src/trajectories.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/eval/evaluate.hpp"
+#include "setsquare/io/tables/relations.hpp"
+
+namespace py = pybind11;
+
+namespace setsquare::python {
+namespace {
+
+void bind_statistics(py::module_& module) {
+  py::class_<ErrorStatistics>(
+      module, "ErrorStatistics", "Summary of a set of errors, in their unit; as evo's.")
+      .def_readonly("num_values", &ErrorStatistics::num_values)
+      .def_readonly("mean", &ErrorStatistics::mean)
+      .def_readonly("rmse", &ErrorStatistics::rmse)
+      .def_readonly("median", &ErrorStatistics::median)
+      .def_readonly("max", &ErrorStatistics::max)
+      .def_readonly("deviation", &ErrorStatistics::deviation)
+      .def("__repr__", [](const ErrorStatistics& self) {
+        return fmt::format("ErrorStatistics(mean={:.6g}, rmse={:.6g}, max={:.6g}, num_values={})",
+                           self.mean,
+                           self.rmse,
+                           self.max,
+                           self.num_values);
+      });
+  py::class_<MeanAndDeviation>(module, "MeanAndDeviation", "Mean and sample standard deviation.")
+      .def_readonly("mean", &MeanAndDeviation::mean)
+      .def_readonly("deviation", &MeanAndDeviation::deviation)
+      .def("__repr__", [](const MeanAndDeviation& self) {
+        return fmt::format(
+            "MeanAndDeviation(mean={:.6g}, deviation={:.6g})", self.mean, self.deviation);
+      });
+}
+
+void bind_absolute(py::module_& module) {
+  py::class_<AbsoluteTrajectoryError>(
+      module, "AbsoluteTrajectoryError", "ATE (Sturm et al. 2012) after the best rigid alignment.")
+      .def_readonly("T_truth_map", &AbsoluteTrajectoryError::T_truth_map, "The alignment.")
+      .def_readonly(
+          "translation_m", &AbsoluteTrajectoryError::translation_m, "Of the positions, in m.")
+      .def_readonly(
+          "rotation_rad", &AbsoluteTrajectoryError::rotation_rad, "Of the headings, in rad.")
+      .def_readonly("final_translation_m", &AbsoluteTrajectoryError::final_translation_m)
+      .def_readonly("final_rotation_rad", &AbsoluteTrajectoryError::final_rotation_rad)
+      .def("__repr__", [](const AbsoluteTrajectoryError& self) {
+        return fmt::format("AbsoluteTrajectoryError(rmse {:.4f} m, {:.3f} deg; {} poses)",
+                           self.translation_m.rmse,
+                           deg_from_rad(self.rotation_rad.rmse),
+                           self.translation_m.num_values);
+      });
+  module.def(
+      "evaluate_trajectory",
+      [](const TrajectoryArrays& trajectory, const TrajectoryArrays& truth) {
+        return evaluate(trajectory.poses, truth.poses);
+      },
+      py::arg("trajectory"),
+      py::arg("truth"),
+      R"(The absolute error of a trajectory (m, rad) against the true one.
+
+Poses are paired by their stamps, within 12 microseconds. Raises ParameterError where none pairs.)");
+}
+
+void bind_relations(py::module_& module) {
+  py::class_<RelationErrors>(module, "RelationErrors", "Errors of a set of relations.")
+      .def_readonly("num_relations", &RelationErrors::num_relations)
+      .def_readonly("translation_m", &RelationErrors::translation_m)
+      .def_readonly("rotation_rad", &RelationErrors::rotation_rad)
+      .def("__repr__", [](const RelationErrors& self) {
+        return fmt::format("RelationErrors({:.4f} m, {:.3f} deg; {} relations)",
+                           self.translation_m.mean,
+                           deg_from_rad(self.rotation_rad.mean),
+                           self.num_relations);
+      });
+  py::class_<RelationErrorReport>(module, "RelationErrorReport", "By the time between the poses.")
+      .def_readonly("all", &RelationErrorReport::all)
+      .def_readonly("under_60_s", &RelationErrorReport::under_60_s)
+      .def_readonly("from_60_s", &RelationErrorReport::from_60_s)
+      .def_readonly("num_missing", &RelationErrorReport::num_missing)
+      .def("__repr__", [](const RelationErrorReport& self) {
+        return fmt::format("RelationErrorReport({:.4f} m, {:.3f} deg; {} relations)",
+                           self.all.translation_m.mean,
+                           deg_from_rad(self.all.rotation_rad.mean),
+                           self.all.num_relations);
+      });
+  module.def(
+      "evaluate_relations",
+      [](const TrajectoryArrays& trajectory, const std::string& path) {
+        return evaluate(trajectory.poses, read_relations(path));
+      },
+      py::arg("trajectory"),
+      py::arg("path"),
+      R"(The error by relations between poses (m, rad; Kuemmerle et al. 2009).
+
+path: a file of the true relations, a line each: stamp1 stamp2 x y z roll pitch yaw.
+Raises FileError, FormatError.)");
+}
+
+}  // namespace
+
+void bind_evaluation(py::module_& module) {
+  bind_statistics(module);
+  bind_absolute(module);
+  bind_relations(module);
+}
+
+}  // namespace setsquare::python

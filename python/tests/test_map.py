@@ -1,0 +1,111 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+import subprocess
+
+import numpy as np
+import pytest
+
+import setsquare
+
+
+@pytest.fixture(scope="module")
+def log(simulated_log):
+    return simulated_log / "scans.clf"
+
+
+@pytest.fixture(scope="module")
+def mapped(log):
+    return setsquare.map_log(log)
+
+
+def test_the_files_are_those_of_the_command(command, log, mapped, tmp_path):
+    subprocess.run([command, "map", str(log), "-o", str(tmp_path / "by_command")], check=True,
+                   capture_output=True)
+    # The same name of the log as on the command line: it stands in run.json.
+    names = setsquare.map_log(str(log)).save(tmp_path / "by_python")
+    assert "trajectory.tum" in names and names[-1] == "run.json"
+    for name in names:
+        by_command = (tmp_path / "by_command" / name).read_bytes()
+        assert (tmp_path / "by_python" / name).read_bytes() == by_command, name
+
+
+def test_is_right(mapped, simulated_log):
+    truth = setsquare.Trajectory.read_tum(str(simulated_log / "truth.tum"))
+    assert setsquare.evaluate_trajectory(mapped.trajectory(), truth).translation_m.rmse < 0.1
+    assert mapped.verdict.startswith("consistent"), mapped.doubts
+
+
+def test_scan_by_scan_gives_the_same(log, mapped):
+    mapper = setsquare.Mapper(num_threads=1)
+    for record in setsquare.read_log(log):
+        placed = mapper.add(record.scan, record.T_odom_base)
+        assert placed.status in ("tracked", "degenerate", "recovered", "lost")
+    assert len(mapper) == len(mapped)
+    again = mapper.finish()
+    assert np.array_equal(again.scans, mapped.scans)
+    assert np.array_equal(again.graph.nodes, mapped.graph.nodes)
+
+
+def test_arrays_fit_together(mapped):
+    scans, trajectory = mapped.scans, mapped.trajectory()
+    placed = scans[scans["is_placed"]]
+    assert np.array_equal(trajectory.stamps_ns, placed["stamp_ns"])
+    assert np.array_equal(trajectory.poses[:, 0], placed["x_m"])
+    assert len(mapped.graph.nodes) == len(mapped.keyframes)
+    constraints = mapped.graph.constraints
+    assert constraints["information"].shape == (len(constraints), 3, 3)
+    assert constraints["to_node"].max() < len(mapped.graph.nodes)
+    assert set(mapped.closures["axes"]) <= {b"xy", b"x", b"y"}
+    assert (scans["position_sigma_m"][scans["is_placed"]] < 1.0).all()
+
+
+def test_the_grid_is_the_map(mapped):
+    grid = mapped.grid()
+    assert grid.probability.shape == grid.occupancy.shape == grid.log_odds.shape
+    assert set(np.unique(grid.occupancy)) == {-1, 0, 100}
+    left, right, bottom, top = grid.extent_m
+    poses = mapped.trajectory().poses
+    assert left < poses[:, 0].min() and poses[:, 0].max() < right
+    assert bottom < poses[:, 1].min() and poses[:, 1].max() < top
+    # The robot drove through what is free.
+    columns = ((poses[:, 0] - left) / grid.resolution_m).astype(int)
+    rows = ((poses[:, 1] - bottom) / grid.resolution_m).astype(int)
+    assert (grid.occupancy[rows, columns] == 0).mean() > 0.99
+
+
+def test_progress_is_told_and_ends_the_work(log):
+    shares = []
+    setsquare.map_log(log, audit=False, progress=shares.append)
+    assert all(0.0 <= share <= 1.0 for share in shares)
+
+    class Enough(Exception):
+        pass
+
+    def stop(_):
+        raise Enough
+
+    with pytest.raises(Enough):
+        for _ in range(20):  # Told a few times a second: a fast machine may need several maps.
+            setsquare.map_log(log, progress=stop)
+
+
+def test_errors_have_the_commands_words(tmp_path):
+    with pytest.raises(setsquare.FileError, match="No such file or directory"):
+        setsquare.map_log(tmp_path / "absent.clf")
+    with pytest.raises(OSError):
+        setsquare.read_log(tmp_path / "absent.clf")
+    (tmp_path / "empty.clf").write_text("")
+    with pytest.raises(setsquare.FormatError):
+        list(setsquare.read_log(tmp_path / "empty.clf"))
+    with pytest.raises(TypeError, match="colour"):
+        setsquare.read_log(tmp_path / "empty.clf", colour="blue")
+    with pytest.raises(setsquare.ParameterError, match="pose_of"):
+        setsquare.Mapper().finish().trajectory("wheel")
+    with pytest.raises(setsquare.Error):
+        setsquare.Trajectory.read_tum(str(tmp_path / "absent.tum"))
+
+
+def test_a_map_of_nothing_is_a_map():
+    nothing = setsquare.Mapper().finish()
+    assert len(nothing) == 0
+    assert len(nothing.trajectory()) == 0
