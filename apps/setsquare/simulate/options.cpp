@@ -85,7 +85,7 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
               "--mounting",
               [&options](const std::vector<std::string>& texts) {
                 for (const std::string& text : texts) {
-                  options.T_base_sensor.push_back(mounting_from_text("--mounting", text));
+                  options.drive.T_base_sensor.push_back(mounting_from_text("--mounting", text));
                 }
               },
               "Where a scanner is on the robot, turned by DEG; repeated for each further one")
@@ -96,7 +96,7 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
       .add_option_function<std::string>(
           "--mounting-error",
           [&options](const std::string& text) {
-            options.T_stated_true = mounting_from_text("--mounting-error", text);
+            options.drive.T_stated_true = mounting_from_text("--mounting-error", text);
           },
           "Where the last scanner truly is, seen from the mounting that the log states")
       ->type_name("X,Y,DEG")
@@ -105,13 +105,15 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
 }
 
 void add_motion_options(CLI::App& subcommand, SimulateOptions& options) {
-  subcommand.add_option("--speed", options.speed.drive_m_per_s, "Of the robot, in m/s")
+  subcommand.add_option("--speed", options.drive.speed.drive_m_per_s, "Of the robot, in m/s")
       ->check(number_above(0.0))
       ->type_name("M/S");
   subcommand
       .add_option_function<double>(
           "--turn-rate",
-          [&options](double deg_per_s) { options.speed.turn_rad_per_s = rad_from_deg(deg_per_s); },
+          [&options](double deg_per_s) {
+            options.drive.speed.turn_rad_per_s = rad_from_deg(deg_per_s);
+          },
           "How fast it turns on the spot and, at most, in corners")
       ->check(number_above(0.0, kFastestTurn_deg_per_s))
       ->type_name("DEG_PER_S")
@@ -120,7 +122,7 @@ void add_motion_options(CLI::App& subcommand, SimulateOptions& options) {
       .add_option_function<double>(
           "--spin",
           [&options](double deg) {
-            options.turn_at_start = {.turn_rad = rad_from_deg(deg), .rest_s = kRestAtSpin_s};
+            options.drive.turn_at_start = {.turn_rad = rad_from_deg(deg), .rest_s = kRestAtSpin_s};
           },
           "Before it drives off it turns on the spot, by so much, and rests before and after")
       ->check(number_from(-kWidestSpin_deg, kWidestSpin_deg))
@@ -131,24 +133,29 @@ void add_motion_options(CLI::App& subcommand, SimulateOptions& options) {
 void add_robot_options(CLI::App& subcommand, SimulateOptions& options) {
   add_motion_options(subcommand, options);
   CLI::Option* const rate =
-      subcommand.add_option("--rate", options.scans_per_s, "Scans per second")
+      subcommand.add_option("--rate", options.drive.scans_per_s, "Scans per second")
           ->check(number_above(0.0))
           ->type_name("HZ");
   CLI::Option* const every = subcommand
                                  .add_option("--every",
-                                             options.every_m,
+                                             options.drive.every_m,
                                              "Instead of --rate: a scan whenever the robot has "
                                              "moved this far, or turned by --every-angle")
                                  ->check(number_above(0.0))
                                  ->type_name("M")
                                  ->excludes(rate);
-  subcommand.add_option("--every-angle", options.every_deg, "With --every: the turn")
+  subcommand
+      .add_option_function<double>(
+          "--every-angle",
+          [&options](double deg) { options.drive.every_rad = rad_from_deg(deg); },
+          "With --every: the turn")
       ->check(number_above(0.0))
       ->type_name("DEG")
+      ->default_str("10")
       ->needs(every);
   subcommand.add_flag_callback(
       "--no-odometry-drift",
-      [&options] { options.has_drift = false; },
+      [&options] { options.drive.has_drift = false; },
       "Wheels that measure the truth");
 }
 
@@ -174,14 +181,16 @@ std::string log_name(const SimulateOptions& options) {
   return options.writes_json_lines ? "scans.jsonl" : "scans.clf";
 }
 
-ScannerModel scanner_from(const SimulateOptions& options) {
-  ScannerModel scanner = options.scanner == "low-cost-360" ? low_cost_360() : utm_30lx();
+SimulatedDriveParams drive_from(const SimulateOptions& options) {
+  SimulatedDriveParams drive = options.drive;
+  drive.seed = options.seed;
+  drive.scanner = options.scanner == "low-cost-360" ? low_cost_360() : utm_30lx();
   if (options.field_of_view_deg) {
-    scanner = with_field_of_view(scanner, rad_from_deg(*options.field_of_view_deg));
+    drive.scanner = with_field_of_view(drive.scanner, rad_from_deg(*options.field_of_view_deg));
   }
-  if (options.num_beams) scanner = with_num_beams(scanner, *options.num_beams);
-  if (options.sweep_time_s) scanner.sweep_s = *options.sweep_time_s;
-  return scanner;
+  if (options.num_beams) drive.scanner = with_num_beams(drive.scanner, *options.num_beams);
+  if (options.sweep_time_s) drive.scanner.sweep_s = *options.sweep_time_s;
+  return drive;
 }
 
 }  // namespace setsquare::app

@@ -16,8 +16,7 @@
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/sim/building/building.hpp"
 #include "setsquare/sim/sensing/ray_casting.hpp"
-#include "setsquare/sim/sensing/robot_path.hpp"
-#include "setsquare/sim/sensing/scanner_model.hpp"
+#include "setsquare/sim/sensing/simulated_drive.hpp"
 
 namespace setsquare::app {
 
@@ -33,16 +32,9 @@ struct SimulateOptions {
   std::string scanner = "utm-30lx";
   std::optional<double> field_of_view_deg;
   std::optional<std::size_t> num_beams;
-  std::vector<Pose2> T_base_sensor;    ///< Of each scanner, as the log says; none: one at the base.
-  Pose2 T_stated_true;                 ///< The last one's true mounting, seen from the stated one.
   std::optional<double> sweep_time_s;  ///< From a scan's first beam to its last.
-  RobotSpeed speed;
-  TurnAtStart turn_at_start{.rest_s = 0.0};
-  bool writes_json_lines = false;  ///< Instead of a CARMEN log.
-  double scans_per_s = 10.0;
-  std::optional<double> every_m;  ///< Instead of a rate: a scan after this way or every_deg.
-  double every_deg = 10.0;
-  bool has_drift = true;
+  bool writes_json_lines = false;      ///< Instead of a CARMEN log.
+  SimulatedDriveParams drive;          ///< But for seed and scanner: drive_from() sets them.
 };
 
 /// Adds the options. `options` must outlive the application.
@@ -51,8 +43,8 @@ void add_simulate_options(CLI::App& subcommand, SimulateOptions& options);
 /// The name of the log that is written.
 [[nodiscard]] std::string log_name(const SimulateOptions& options);
 
-/// The scanner that the options describe. Throws ParameterError.
-[[nodiscard]] ScannerModel scanner_from(const SimulateOptions& options);
+/// The drive that the options describe, with its scanner and seed. Throws ParameterError.
+[[nodiscard]] SimulatedDriveParams drive_from(const SimulateOptions& options);
 
 /// "x,y x,y ..." in m. Throws Error where it is no such list of two points or more, within 10 km.
 [[nodiscard]] std::vector<Eigen::Vector2d> route_from_text(std::string_view text);

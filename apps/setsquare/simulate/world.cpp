@@ -107,17 +107,6 @@ Building world_from_plan(const SimulateOptions& options) {
   return world;
 }
 
-Building building_from(const SimulateOptions& options) {
-  if (options.building == "paper") return make_paper_building(options.seed).building;
-  if (options.building == "hallway") return make_paper_hallway(options.seed);
-  const auto named = std::find_if(
-      kAllBuildingClasses.begin(), kAllBuildingClasses.end(), [&](BuildingClass building_class) {
-        return to_string(building_class) == options.building;
-      });
-  if (named == kAllBuildingClasses.end()) throw Error("--building: " + options.building);
-  return make_building(*named, options.seed);
-}
-
 }  // namespace
 
 std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
@@ -140,7 +129,8 @@ std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
 }
 
 Building world_from(const SimulateOptions& options) {
-  Building world = options.plan_path.empty() ? building_from(options) : world_from_plan(options);
+  Building world = options.plan_path.empty() ? make_building(options.building, options.seed)
+                                             : world_from_plan(options);
   if (!options.has_people) world.people.clear();
   return world;
 }

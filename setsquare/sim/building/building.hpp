@@ -58,4 +58,8 @@ struct PaperBuilding {
 };
 [[nodiscard]] PaperBuilding make_paper_building(std::uint64_t seed);
 
+/// The building that a name stands for: a class's ("office"), "paper" or "hallway". Throws
+/// ParameterError.
+[[nodiscard]] Building make_building(std::string_view name, std::uint64_t seed);
+
 }  // namespace setsquare
