@@ -36,6 +36,7 @@ from setsquare._core import (
     RelationErrors,
     RunnerUp,
     Scan,
+    Simulation,
     TrackedPose,
     Trajectory,
     __version__,
@@ -46,6 +47,7 @@ from setsquare._core import (
     match,
     prepare,
     read_log,
+    simulate,
 )
 
 __all__ = [
@@ -70,6 +72,7 @@ __all__ = [
     "RelationErrors",
     "RunnerUp",
     "Scan",
+    "Simulation",
     "TrackedPose",
     "Trajectory",
     "__version__",
@@ -80,6 +83,7 @@ __all__ = [
     "match",
     "prepare",
     "read_log",
+    "simulate",
 ]
 
 _notebook.install()

@@ -312,6 +312,17 @@ class RelationErrorReport(_Made):
     @property
     def num_missing(self) -> int: ...
 
+class Simulation(_Made):
+    @property
+    def scans(self) -> list[Scan]: ...
+    @property
+    def truth(self) -> Trajectory: ...
+    @property
+    def odometry(self) -> Trajectory: ...
+    @property
+    def walls_m(self) -> _Floats: ...
+    def __len__(self) -> int: ...
+
 def prepare(scan: _ScanLike, *, fov_deg: float | None = ...) -> PreparedScan: ...
 def match(
     reference: _ScanLike | PreparedScan,
@@ -370,3 +381,21 @@ def map_log(
 ) -> Map: ...
 def evaluate_trajectory(trajectory: Trajectory, truth: Trajectory) -> AbsoluteTrajectoryError: ...
 def evaluate_relations(trajectory: Trajectory, path: str) -> RelationErrorReport: ...
+def simulate(
+    building: Literal["office", "hall", "wings", "corridor", "round", "paper", "hallway"] = ...,
+    seed: int = ...,
+    *,
+    people: bool = ...,
+    scanner: Literal["utm-30lx", "low-cost-360"] = ...,
+    fov_deg: float | None = ...,
+    num_beams: int | None = ...,
+    sweep_time_s: float | None = ...,
+    rate_hz: float = ...,
+    every_m: float | None = ...,
+    every_deg: float = ...,
+    speed_m_per_s: float = ...,
+    turn_rate_deg_per_s: float | None = ...,
+    spin_deg: float = ...,
+    odometry_drift: bool = ...,
+    mountings: Sequence[_PoseLike] = ...,
+) -> Simulation: ...

@@ -16,5 +16,6 @@ void bind_grids(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_mapping(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
+void bind_simulation(pybind11::module_& module);
 
 }  // namespace setsquare::python

@@ -15,4 +15,5 @@ PYBIND11_MODULE(_core, module) {
   bind_maps(module);
   bind_mapping(module);
   bind_evaluation(module);
+  bind_simulation(module);
 }
