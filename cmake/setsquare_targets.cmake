@@ -25,6 +25,8 @@ function(setsquare_precompile_headers target)
   if(NOT SETSQUARE_PRECOMPILE_HEADERS)
     return()
   endif()
+  # Programs and libraries are else compiled differently, and cannot share the headers.
+  set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
   if(ARGC GREATER 1)
     target_precompile_headers(${target} REUSE_FROM ${ARGV1})
     return()

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/parameter_checks.hpp"
+#include "setsquare/scan/noisy_ranges.hpp"
 
 namespace setsquare {
 namespace {
@@ -55,6 +58,8 @@ double distance(const SurfacePoints& points, std::size_t i, std::size_t j) {
 
 /// The returns as points; one rotation a beam instead of a sine and a cosine.
 SurfacePoints place_returns(const Scan& scan, double max_range_m) {
+  const std::optional<std::vector<double>> smoothed_m = smoothed_ranges_m(scan);
+  const double* const ranges_m = smoothed_m ? smoothed_m->data() : scan.ranges_m.data();
   SurfacePoints points;
   const std::size_t capacity = scan.num_beams();
   for (auto* array : {&points.x_m, &points.y_m, &points.range_m}) array->reserve(capacity);
@@ -64,7 +69,7 @@ SurfacePoints place_returns(const Scan& scan, double max_range_m) {
   const double step_c = std::cos(scan.bearing_step_rad);
   const double step_s = std::sin(scan.bearing_step_rad);
   for (std::size_t beam = 0; beam < capacity; ++beam) {
-    const double range_m = scan.ranges_m[beam];
+    const double range_m = ranges_m[beam];
     if (scan.outcome(beam) == BeamOutcome::kReturn && range_m < max_range_m) {
       points.x_m.push_back(static_cast<float>(range_m * c));
       points.y_m.push_back(static_cast<float>(range_m * s));
