@@ -330,6 +330,8 @@ def match(
     *,
     fov_deg: float | None = ...,
     preset: _Preset = ...,
+    max_translation_m: float | None = ...,
+    max_rotation_deg: float | None = ...,
 ) -> MatchResult: ...
 def explain(
     reference: _ScanLike,

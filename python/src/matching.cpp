@@ -50,11 +50,22 @@ PreparedPyScan prepare_scan(const py::object& scan, const std::optional<double>&
   return made;
 }
 
+/// What is known of the motion: nothing where nothing is given.
+MatchParams bounded_params(const std::optional<double>& max_translation_m,
+                           const std::optional<double>& max_rotation_deg) {
+  MatchParams params;
+  if (max_translation_m) params.bounds.max_translation_m = *max_translation_m;
+  if (max_rotation_deg) params.bounds.max_rotation_rad = rad_from_deg(*max_rotation_deg);
+  params.validate();
+  return params;
+}
+
 /// Two scans of which at least one is prepared.
 PyMatch match_prepared(const py::object& reference,
                        const py::object& current,
                        const std::optional<double>& fov_deg,
-                       Preset preset) {
+                       Preset preset,
+                       const MatchParams& params) {
   if (preset != Preset::kDefault) {
     throw ParameterError("preset", "prepared scans are matched by the default method");
   }
@@ -66,19 +77,28 @@ PyMatch match_prepared(const py::object& reference,
   };
   const PreparedPyScan& a = prepared_from(reference);
   const PreparedPyScan& b = prepared_from(current);
-  return {without_gil([&] { return match(a.prepared, b.prepared); }), a.scan, b.scan};
+  return {without_gil([&] { return match(a.prepared, b.prepared, params); }), a.scan, b.scan};
 }
 
 PyMatch match_scans(const py::object& reference,
                     const py::object& current,
                     const std::optional<double>& fov_deg,
-                    const std::string& preset_name) {
+                    const std::string& preset_name,
+                    const std::optional<double>& max_translation_m,
+                    const std::optional<double>& max_rotation_deg) {
   const Preset preset = preset_from(preset_name);
+  const MatchParams params = bounded_params(max_translation_m, max_rotation_deg);
   if (py::isinstance<PreparedPyScan>(reference) || py::isinstance<PreparedPyScan>(current)) {
-    return match_prepared(reference, current, fov_deg, preset);
+    return match_prepared(reference, current, fov_deg, preset, params);
+  }
+  if (preset == Preset::kPaper && (max_translation_m || max_rotation_deg)) {
+    throw ParameterError("max_rotation_deg", "the preset \"paper\" knows no bounds");
   }
   PyMatch answer{{}, scan_from(reference, fov_deg), scan_from(current, fov_deg)};
-  answer.result = without_gil([&] { return match_by(preset, *answer.reference, *answer.current); });
+  answer.result = without_gil([&] {
+    return preset == Preset::kPaper ? match_paper(*answer.reference, *answer.current)
+                                    : match(*answer.reference, *answer.current, params);
+  });
   return answer;
 }
 
@@ -211,11 +231,15 @@ scan: a Scan, or an array of ranges (N,) in m over fov_deg degrees (180). Raises
              py::kw_only(),
              py::arg("fov_deg") = py::none(),
              py::arg("preset") = "default",
+             py::arg("max_translation_m") = py::none(),
+             py::arg("max_rotation_deg") = py::none(),
              R"(Relative pose of two scans of which nothing is known; no initial guess.
 
 reference, current: each a Scan, a PreparedScan, or an array of ranges (N,) in m over fov_deg
     degrees (180), symmetric about straight ahead, counterclockwise.
 preset: "default", or "paper" for the method of Bando et al. 2014 as printed.
+max_translation_m, max_rotation_deg: bounds of the motion, where they are known; poses beyond them
+    are not considered, so that a square room is no longer ambiguous.
 
 Returns a MatchResult whose status says whether the answer stands. Other threads run meanwhile.
 Raises ParameterError where a scan's geometry is invalid.)");

@@ -53,6 +53,21 @@ def test_presets_are_named(room_scan):
         setsquare.match(a, b, preset="best")
 
 
+def test_bounds_tell_a_quarter_turn_from_none():
+    # The middle of a square room, 8 m wide, turned by 20 degrees.
+    def ranges(turn_deg):
+        angles = np.radians(np.arange(360) - 180 + turn_deg)
+        exact = 4.0 / np.maximum(abs(np.cos(angles)), abs(np.sin(angles)))
+        return exact + np.random.default_rng(turn_deg).normal(0, 0.005, 360)
+
+    assert setsquare.match(ranges(0), ranges(20), fov_deg=360).status == "ambiguous"
+    bounded = setsquare.match(ranges(0), ranges(20), fov_deg=360, max_rotation_deg=45)
+    assert bounded.is_matched
+    assert bounded.T_reference_current.theta_deg == pytest.approx(20, abs=0.3)
+    with pytest.raises(setsquare.ParameterError, match="max_rotation_rad"):
+        setsquare.match(ranges(0), ranges(20), max_rotation_deg=-1)
+
+
 def test_threads_give_the_same_answers(room_scan):
     scans = [room_scan((-0.2 * i, 0.1 * i - 1, 0.1 * i), seed=i) for i in range(8)]
     expected = [setsquare.match(scans[0], scan).T_reference_current for scan in scans]

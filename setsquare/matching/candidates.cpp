@@ -24,12 +24,19 @@ int keep_best(std::size_t count, std::vector<TranslationProposal>& proposals) {
 std::vector<TranslationProposal> propose(const PreparedScan& current,
                                          const CorrelationGrid& grid,
                                          std::span<const RotationProposal> rotations,
-                                         const SearchParams& search) {
+                                         const SearchParams& search,
+                                         const MotionBounds& bounds) {
   std::vector<TranslationProposal> proposals;
   int min_correlation = search.min_correlation;
   for (const RotationProposal& rotation : rotations) {
-    grid.propose_translations(
-        current.coarse, {0.0, 0.0, rotation.rotation_rad}, min_correlation, proposals);
+    const Pose2 middle{0.0, 0.0, rotation.rotation_rad};
+    if (!bounds.may_hold(middle)) continue;
+    grid.propose_translations(current.coarse, middle, min_correlation, proposals);
+    if (std::isfinite(bounds.max_translation_m)) {
+      std::erase_if(proposals, [&](const TranslationProposal& proposal) {
+        return !bounds.may_hold(proposal.T_reference_current);
+      });
+    }
     min_correlation = std::max(min_correlation, keep_best(search.num_coarse, proposals));
   }
   return proposals;
@@ -99,12 +106,13 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
                                          const MatchParams& params,
                                          MatchTrace* trace) {
   std::vector<Candidate> coarse;
-  for (const auto& proposal : propose(current, grid, rotations, search)) {
-    coarse.push_back(refined(reference.coarse_alignment(),
-                             current.coarse_alignment(),
-                             params.refinement.coarse_tolerances_m,
-                             params.score,
-                             candidate_from(proposal)));
+  for (const auto& proposal : propose(current, grid, rotations, search, params.bounds)) {
+    const Candidate candidate = refined(reference.coarse_alignment(),
+                                        current.coarse_alignment(),
+                                        params.refinement.coarse_tolerances_m,
+                                        params.score,
+                                        candidate_from(proposal));
+    if (params.bounds.may_hold(candidate.T_reference_current)) coarse.push_back(candidate);
   }
   sort_best_first(coarse);
 

@@ -52,7 +52,13 @@ void DistinctWallParams::validate() const {
   require_positive(max_line_m, "max_line_m");
 }
 
+void MotionBounds::validate() const {
+  require(max_translation_m >= 0.0, "bounds.max_translation_m", "must not be negative");
+  require(max_rotation_rad >= 0.0, "bounds.max_rotation_rad", "must not be negative");
+}
+
 void MatchParams::validate() const {
+  bounds.validate();
   surface.validate();
   samples.validate();
   refinement.validate();

@@ -3,8 +3,12 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/pose2.hpp"
 #include "setsquare/surfaces/surface_params.hpp"
 
 namespace setsquare {
@@ -16,6 +20,24 @@ struct SearchParams {
   std::size_t num_coarse = 10;
   std::size_t num_fine = 3;
   int min_correlation = 8;  ///< Of a proposal's coarse samples with the grid.
+};
+
+/// What is known of the motion before the scans are seen: poses beyond it are not considered, not
+/// as rivals either. By default nothing is known.
+struct MotionBounds {
+  double max_translation_m = std::numeric_limits<double>::infinity();
+  double max_rotation_rad = kPi;  ///< Either way.
+
+  /// Whether a proposal may lie within, given how coarsely proposals are spaced.
+  [[nodiscard]] bool may_hold(const Pose2& proposed) const {
+    constexpr double kCoarse_m = 0.3;
+    constexpr double kCoarse_rad = rad_from_deg(3.0);
+    return proposed.translation().norm() <= max_translation_m + kCoarse_m &&
+           std::abs(wrap_to_pi(proposed.theta_rad)) <= max_rotation_rad + kCoarse_rad;
+  }
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
 };
 
 /// Distances beyond which a sample has no part in a Gauss-Newton step: one step per tolerance, wide
@@ -99,6 +121,7 @@ struct ScoreParams {
 
 /// Parameters of the default matcher. Every field has a default that serves every sensor and log.
 struct MatchParams {
+  MotionBounds bounds;
   SurfaceParams surface;
   SampleParams samples;
   ScoreParams score;

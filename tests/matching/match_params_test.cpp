@@ -43,6 +43,12 @@ INSTANTIATE_TEST_SUITE_P(
     Fields,
     BadMatchParams,
     ::testing::Values(
+        BadField{"bounds.max_translation_m",
+                 [](auto& p, double v) { p.bounds.max_translation_m = v; },
+                 kNaN},
+        BadField{"bounds.max_rotation_rad",
+                 [](auto& p, double v) { p.bounds.max_rotation_rad = v; },
+                 -0.1},
         BadField{"max_range_m", [](auto& p, double v) { p.surface.max_range_m = v; }, 0.0},
         BadField{"max_weight_m", [](auto& p, double v) { p.surface.max_weight_m = v; }, kNaN},
         BadField{"tolerance_m", [](auto& p, double v) { p.score.tolerance_m = v; }, 0.0},
