@@ -19,6 +19,7 @@ void add_subcommands(CLI::App& application) {
   setsquare::app::add_explain(application);
   setsquare::app::add_simulate(application);
   setsquare::app::add_experiment(application);
+  setsquare::app::add_reference(application);
 }
 
 }  // namespace
