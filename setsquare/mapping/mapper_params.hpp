@@ -8,6 +8,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/graph/robust_params.hpp"
 #include "setsquare/headings/heading_params.hpp"
+#include "setsquare/scan/few_beams.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 
 namespace setsquare {
@@ -122,6 +123,8 @@ struct TurnCheckParams {
   double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
   std::size_t longest_hop = 8;  ///< Keyframes from one scan to the one matched with it.
   int max_rounds = 4;           ///< Of checking and fusing again.
+  /// Scans of fewer beams are not asked: a few returns that fit by chance confirm any turn.
+  std::size_t min_beams = kFewestBeams;
 
   /// Throws ParameterError that names the field.
   void validate() const;
