@@ -193,7 +193,8 @@ struct MapperParams {
   /// Loops are looked for each time the track has grown by this share, and by this many keyframes.
   double closing_growth = 0.1;
   std::size_t min_closing_growth = 64;
-  std::size_t num_threads = 1;  ///< Any number gives the same map.
+  std::size_t num_threads = 1;         ///< Any number gives the same map.
+  bool leaves_out_robot_parts = true;  ///< What a scanner sees of its own robot (RobotParts).
 
   /// Throws ParameterError that names the field.
   void validate() const;
