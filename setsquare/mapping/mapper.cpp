@@ -18,6 +18,7 @@
 #include "setsquare/mapping/open_spread.hpp"
 #include "setsquare/mapping/pieces/piece_joining.hpp"
 #include "setsquare/mapping/registration.hpp"
+#include "setsquare/mapping/robot_part_search.hpp"
 #include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/sweep_search.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
@@ -77,6 +78,7 @@ class Mapper::Parts {
   explicit Parts(const MapperParams& params)
       : params_(params),
         sweeps_(params.tracker),
+        robot_parts_(params.leaves_out_robot_parts),
         tracker_(params.tracker),
         scanners_(params.mounting),
         uncertainty_(params.motion),
@@ -88,10 +90,12 @@ class Mapper::Parts {
   TrackedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   void add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
     sweeps_.add_turn_rate(stamp, turn_rad_per_s);
+    robot_parts_.add_turn_rate(stamp, turn_rad_per_s);
     turn(stamp, turn_rad_per_s);
   }
-  /// Where the sweep time was found meanwhile, or the odometry was found wrong: what came so far
-  /// mapped again by it, and the last scan's pose. Else null, and `last` stays.
+  /// Where the sweep time was found meanwhile, or parts of the robot, or the odometry was found
+  /// wrong: what came so far mapped again by it, and the last scan's pose. Else null, and `last`
+  /// stays.
   [[nodiscard]] std::unique_ptr<Parts> mapped_again(TrackedPose& last);
   [[nodiscard]] Map finish() const;
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
@@ -148,6 +152,7 @@ class Mapper::Parts {
 
   MapperParams params_;
   SweepSearch sweeps_;
+  RobotPartSearch robot_parts_;
   UnjudgedInputs unjudged_;
   OdometryWatch odometry_;
   ScanTracker tracker_;
@@ -168,6 +173,7 @@ TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_w
   require_finite(scan.T_base_sensor, "T_base_sensor");
   if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
   sweeps_.add(scan, T_wheels_base);
+  robot_parts_.add(scan, T_wheels_base);
   return map(scan, T_wheels_base);
 }
 
@@ -175,18 +181,22 @@ TrackedPose Mapper::Parts::map(const Scan& scan, const std::optional<Pose2>& T_w
   unjudged_.add(MapperScan{scan, T_wheels_base});
   const std::optional<Scan> mended = sweeps_.mended(scan);
   const Scan& timed = mended ? *mended : scan;
-  const std::optional<Scan> cleared = without_isolated_returns(timed);
-  return add_cleared(cleared ? *cleared : timed, odometry_.believed(timed, T_wheels_base));
+  const std::optional<Scan> without_parts = robot_parts_.cleared(timed);
+  const Scan& seen = without_parts ? *without_parts : timed;
+  const std::optional<Scan> cleared = without_isolated_returns(seen);
+  return add_cleared(cleared ? *cleared : seen, odometry_.believed(seen, T_wheels_base));
 }
 
 std::unique_ptr<Mapper::Parts> Mapper::Parts::mapped_again(TrackedPose& last) {
   std::vector<MapperInput> inputs = sweeps_.take_to_map_again();
-  const bool has_sweep = !inputs.empty();
-  if (!has_sweep) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
+  if (inputs.empty()) inputs = robot_parts_.take_to_map_again();
+  const bool has_other_scans = !inputs.empty();
+  if (!has_other_scans) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
   if (inputs.empty()) return nullptr;
   auto again = std::make_unique<Parts>(params_);
   again->sweeps_ = sweeps_;
-  if (!has_sweep) {
+  again->robot_parts_ = robot_parts_;
+  if (!has_other_scans) {
     again->tracker_.judge_odometry_by(tracker_.judged_odometry());
     again->unjudged_.close();
   }

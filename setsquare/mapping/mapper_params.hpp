@@ -8,6 +8,7 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/graph/robust_params.hpp"
 #include "setsquare/headings/heading_params.hpp"
+#include "setsquare/scan/few_beams.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
 
 namespace setsquare {
@@ -122,6 +123,8 @@ struct TurnCheckParams {
   double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
   std::size_t longest_hop = 8;  ///< Keyframes from one scan to the one matched with it.
   int max_rounds = 4;           ///< Of checking and fusing again.
+  /// Scans of fewer beams are not asked: a few returns that fit by chance confirm any turn.
+  std::size_t min_beams = kFewestBeams;
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -190,7 +193,8 @@ struct MapperParams {
   /// Loops are looked for each time the track has grown by this share, and by this many keyframes.
   double closing_growth = 0.1;
   std::size_t min_closing_growth = 64;
-  std::size_t num_threads = 1;  ///< Any number gives the same map.
+  std::size_t num_threads = 1;         ///< Any number gives the same map.
+  bool leaves_out_robot_parts = true;  ///< What a scanner sees of its own robot (RobotParts).
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -23,13 +23,15 @@ void TurnCheckParams::validate() const {
 /// Matches of a track's keyframes, each scan prepared once.
 class TurnChecks::Matches {
  public:
-  explicit Matches(const KeyframeTrack& track) : track_(track) {}
+  Matches(const KeyframeTrack& track, std::size_t min_beams)
+      : track_(track), min_beams_(min_beams) {}
 
   [[nodiscard]] std::size_t size() const { return track_.size(); }
   /// How far keyframe b is turned against a beyond what was tracked; nothing where they do not
   /// match, or where nothing was tracked between them.
   [[nodiscard]] std::optional<double> beyond_tracked_rad(std::size_t a, std::size_t b) {
     if (track_.pieces[a] != track_.pieces[b]) return std::nullopt;
+    if (!sees_walls(a) || !sees_walls(b)) return std::nullopt;
     const MatchResult result = match(prepared(a), prepared(b));
     if (result.status != MatchStatus::kMatched) return std::nullopt;
     const double tracked_rad =
@@ -38,6 +40,9 @@ class TurnChecks::Matches {
   }
 
  private:
+  [[nodiscard]] bool sees_walls(std::size_t k) const {
+    return track_.keyframes[k]->scan.num_beams() >= min_beams_;
+  }
   const PreparedScan& prepared(std::size_t k) {
     const auto known = prepared_.find(k);
     if (known != prepared_.end()) return known->second;
@@ -45,6 +50,7 @@ class TurnChecks::Matches {
   }
 
   const KeyframeTrack& track_;
+  std::size_t min_beams_;
   std::map<std::size_t, PreparedScan> prepared_;
 };
 
@@ -126,7 +132,7 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
                                const std::vector<HeadingEvidence>& evidence,
                                const HeadingFusionParams& params) {
   steps_.resize(std::max(steps_.size(), evidence.size()));
-  Matches matches(track);
+  Matches matches(track, params_.min_beams);
   FusedHeadings fused = fuse_headings(checked(evidence), params);
   for (int round = 0; round < params_.max_rounds; ++round) {
     bool is_new = false;

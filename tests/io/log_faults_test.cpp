@@ -138,6 +138,15 @@ TEST(LogFaults, ReturnsThatStandAlone) {
   expect_only(faults_of(spoilt(dust)), FindingKind::kIsolatedReturns, "");
 }
 
+TEST(LogFaults, PostsOfTheRobotItself) {
+  const Spoil posts = [](LogRecord& record, std::mt19937_64& generator) {
+    for (std::size_t beam = 40; beam < 52; ++beam) {
+      record.scan.ranges_m[beam] = testing::uniform(generator, 0.29, 0.31);
+    }
+  };
+  expect_only(faults_of(spoilt(posts)), FindingKind::kRobotParts, "");
+}
+
 TEST(LogFaults, TooFewBeams) {
   for (const std::size_t num_beams : {8U, 16U, 24U}) {
     const Fan fan = {.num_beams = num_beams,

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "setsquare/mapping/mapper.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
 #include "tests/support/pose_matchers.hpp"
 #include "tests/support/seed.hpp"
 #include "tests/support/simulated_drive.hpp"
@@ -79,6 +80,40 @@ TEST(MapperFaultyLogs, ErrorCodesAndDust) {
     }
   }
   expect_mapped(log);
+}
+
+/// How far off the robot is mapped at most, without odometry, along corridors around a block, with
+/// a scanner that sees 5 m far and four posts of its own robot.
+double worst_with_posts_m(bool leaves_out_robot_parts) {
+  const std::vector<Pose2> truth = drive(testing::way_around_the_block(), 0.1, rad_from_deg(6.0));
+  MapperParams params;
+  params.leaves_out_robot_parts = leaves_out_robot_parts;
+  Mapper mapper(params);
+  for (Scan& scan : scans_on_drive(testing::corridor_around_a_block(),
+                                   truth,
+                                   0.01,
+                                   Fan{.num_beams = 360,
+                                   .first_bearing_rad = -kPi,
+                                   .bearing_step_rad = rad_from_deg(1.0)})) {
+    scan.max_range_m = 5.0;
+    for (const std::ptrdiff_t first_beam : {75, 130, 215, 270}) {
+      std::fill_n(scan.ranges_m.begin() + first_beam, 16, 0.3);
+    }
+    mapper.add(scan);
+  }
+  const Map map = mapper.finish();
+  double worst_m = 0.0;
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Pose2 mapped = between(map.scans[0].T_map_sensor, map.scans[i].T_map_sensor);
+    worst_m = std::max(worst_m,
+                       (mapped.translation() - between(truth[0], truth[i]).translation()).norm());
+  }
+  return worst_m;
+}
+
+TEST(MapperFaultyLogs, PostsOfTheRobotDoNotHoldItWhereItIs) {
+  EXPECT_LT(worst_with_posts_m(true), 0.2);
+  EXPECT_GT(worst_with_posts_m(false), 2.0);
 }
 
 }  // namespace setsquare::mapper_faulty_logs_test

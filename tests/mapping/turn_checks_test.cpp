@@ -26,11 +26,13 @@ struct Track {
 };
 
 /// Everything from keyframe `slips_at[i].first` on is tracked turned by `.second` about it.
-Track track_with_slips(const std::vector<std::pair<std::size_t, double>>& slips_at) {
+Track track_with_slips(const std::vector<std::pair<std::size_t, double>>& slips_at,
+                       const testing::Fan& fan = testing::kAllAround,
+                       std::size_t first_seed = 1) {
   Track made;
   const auto walls = testing::corridor_around_a_block();
   made.truth = testing::spaced(testing::drive(testing::way_around_the_block()));
-  made.track = testing::track_in_world(walls, made.truth, 0.01);
+  made.track = testing::track_in_world(walls, made.truth, 0.01, fan, first_seed);
   for (const auto& [at, slip_rad] : slips_at) {
     const Pose2 pivot = made.track.keyframes[at]->T_odom_sensor;
     const Pose2 T_odom_slipped = pivot * Pose2{0.0, 0.0, slip_rad} * pivot.inverse();
@@ -115,6 +117,16 @@ TEST(TurnChecks, ATrackShorterThanTheLongestHopIsChecked) {
       TurnChecks({.min_slip_matches = 100}).fuse(track.track, track.evidence, {});
   EXPECT_EQ(fused.heading_rad.size(), 5U);
   EXPECT_FALSE(fused.doubted.empty());
+}
+
+// Sixteen beams hit a corner here and a wall there: their walls turn where nothing turns, and a few
+// returns lie on something however two scans are laid onto each other.
+TEST(TurnChecks, ScansOfFewBeamsConfirmNothing) {
+  constexpr testing::Fan kFew{16, -kPi, kTwoPi / 16.0};
+  constexpr std::size_t kSeedWithDoubt = 1001;
+  const Track track = track_with_slips({}, kFew, kSeedWithDoubt);
+  EXPECT_FALSE(TurnChecks().fuse(track.track, track.evidence, {}).doubted.empty());
+  EXPECT_TRUE(TurnChecks({.min_beams = 0}).fuse(track.track, track.evidence, {}).doubted.empty());
 }
 
 TEST(TurnChecks, RefuseWrongParameters) {

@@ -103,6 +103,7 @@ void SensorSurvey::add(const Scan& scan) {
   add_ranges(scan);
   repeated.add(scan);
   num_isolated += num_isolated_returns(scan);
+  robot_parts.add(scan);
   num_unchanged += scan.ranges_m == previous_ranges_m_ ? 1 : 0;
   previous_ranges_m_ = scan.ranges_m;
 }

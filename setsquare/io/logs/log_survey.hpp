@@ -17,6 +17,7 @@
 #include "setsquare/io/logs/survey/far_ranges.hpp"
 #include "setsquare/io/logs/survey/motion_survey.hpp"
 #include "setsquare/io/logs/survey/repeated_ranges.hpp"
+#include "setsquare/scan/robot_parts.hpp"
 
 namespace setsquare {
 
@@ -71,6 +72,7 @@ struct SensorSurvey {
   std::map<double, std::uint64_t> codes;  ///< No-return ranges and how often, the first kMaxCodes.
   std::uint64_t num_in_housing = 0;       ///< Ranges above 0 and below kHousingRadius_m.
   std::uint64_t num_isolated = 0;         ///< Returns that stand alone (is_isolated_return).
+  RobotParts robot_parts;
   FarRanges far;
   RepeatedRanges repeated;
   MotionSurvey motion;                ///< Of the scans that came with odometry.

@@ -3,22 +3,21 @@
 #include <fmt/format.h>
 
 #include "setsquare/io/logs/faults/checks.hpp"
+#include "setsquare/scan/few_beams.hpp"
 
 namespace setsquare {
 
 std::optional<LogFinding> check_number_of_beams(const CheckedLaser& laser) {
-  // A wall of a room needs a handful of beams for its line, and a room has four.
-  constexpr double kFewestBeams = 32.0;
   const Interval& num_beams = laser.sensor.num_beams;
-  if (num_beams.empty() || num_beams.high >= kFewestBeams) return std::nullopt;
-  return LogFinding{.kind = FindingKind::kFewBeams,
-                    .sentence = fmt::format(
-                        "{}: {:.0f} beams a scan are too few to see walls (a map needs {:.0f} "
-                        "or more); what comes out follows the odometry at best",
-                        laser.name,
-                        num_beams.high,
-                        kFewestBeams),
-                    .share = 1.0};
+  if (num_beams.empty() || num_beams.high >= static_cast<double>(kFewestBeams)) return std::nullopt;
+  return LogFinding{
+      .kind = FindingKind::kFewBeams,
+      .sentence = fmt::format("{}: {:.0f} beams a scan are too few to see walls (a map needs {} "
+                              "or more); what comes out follows the odometry at best",
+                              laser.name,
+                              num_beams.high,
+                              kFewestBeams),
+      .share = 1.0};
 }
 
 std::optional<LogFinding> check_beams_change(const CheckedLaser& laser) {

@@ -26,6 +26,7 @@ struct CheckedLaser {
 [[nodiscard]] std::optional<LogFinding> check_error_codes(const CheckedLaser& laser);
 [[nodiscard]] std::optional<LogFinding> check_repeated_range(const CheckedLaser& laser);
 [[nodiscard]] std::optional<LogFinding> check_isolated_returns(const CheckedLaser& laser);
+[[nodiscard]] std::optional<LogFinding> check_robot_parts(const CheckedLaser& laser);
 [[nodiscard]] std::optional<LogFinding> check_returns(const CheckedLaser& laser);
 
 // Beams (beams.cpp).

@@ -15,10 +15,11 @@ namespace {
 
 using LaserCheck = std::optional<LogFinding> (*)(const CheckedLaser&);
 
-constexpr std::array<LaserCheck, 16> kLaserChecks = {check_range_unit,
+constexpr std::array<LaserCheck, 17> kLaserChecks = {check_range_unit,
                                                      check_error_codes,
                                                      check_repeated_range,
                                                      check_isolated_returns,
+                                                     check_robot_parts,
                                                      check_returns,
                                                      check_number_of_beams,
                                                      check_beams_change,

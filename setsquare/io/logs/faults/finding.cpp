@@ -14,6 +14,8 @@ const char* to_string(FindingKind kind) {
       return "repeated_range";
     case FindingKind::kIsolatedReturns:
       return "isolated_returns";
+    case FindingKind::kRobotParts:
+      return "robot_parts";
     case FindingKind::kNoReturns:
       return "no_returns";
     case FindingKind::kFewBeams:

@@ -13,6 +13,7 @@ enum class FindingKind {
   kErrorCodes,           ///< Ranges of a few millimetres.
   kRepeatedRange,        ///< One range again and again: a code among the returns.
   kIsolatedReturns,      ///< Many returns that nothing stands beside.
+  kRobotParts,           ///< The scanner sees its own robot.
   kNoReturns,            ///< Not one return.
   kFewBeams,             ///< Too few beams to see walls.
   kBeamsChange,          ///< Their number changes from scan to scan.

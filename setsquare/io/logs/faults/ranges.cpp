@@ -86,6 +86,18 @@ std::optional<LogFinding> check_isolated_returns(const CheckedLaser& laser) {
       .share = share};
 }
 
+std::optional<LogFinding> check_robot_parts(const CheckedLaser& laser) {
+  const double share = laser.sensor.robot_parts.share_of_circle();
+  if (share == 0.0) return std::nullopt;
+  return LogFinding{
+      .kind = FindingKind::kRobotParts,
+      .sentence = fmt::format("{}: {:.0f} deg of the circle show the robot itself, which never "
+                              "moves away: left out",
+                              laser.name,
+                              deg_from_rad(share * kTwoPi)),
+      .share = share};
+}
+
 std::optional<LogFinding> check_returns(const CheckedLaser& laser) {
   if (laser.sensor.num_returns > 0 || has_other_unit(laser)) return std::nullopt;
   return LogFinding{
