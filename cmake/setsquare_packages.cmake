@@ -64,11 +64,11 @@ set(CPACK_COMPONENTS_GROUPING IGNORE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_COMPONENTS_ALL command library)
 set(description "Turns the scans of a 2-D laser scanner into a map whose walls are straight and
- square, without odometry, without an initial guess and without tuning, and
- says where the scans do not determine the answer.")
-set(CPACK_COMPONENT_COMMAND_DESCRIPTION "${description}\n .\n This package has the command.")
-set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${description}\n .\n This package has the C++ library.")
-set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${description}\n .\n This package is for Python.")
+square, without odometry, without an initial guess and without tuning, and
+says where the scans do not determine the answer.")
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "${description}\n\nThis package has the command.")
+set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${description}\n\nThis package has the C++ library.")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${description}\n\nThis package is for Python.")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
@@ -76,6 +76,7 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "libeigen3-dev (>= 3.4), libfmt-dev, libbz2-dev, liblz4-dev, libpng-dev, libsqlite3-dev, \
 libyaml-cpp-dev, libzstd-dev, zlib1g-dev")
 if(TARGET setsquare_python)
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
   list(APPEND CPACK_COMPONENTS_ALL python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
   set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
