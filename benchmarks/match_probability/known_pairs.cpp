@@ -79,8 +79,8 @@ void visit_strangers(const ScannerModel& scanner, Seeds seeds, const VisitPair& 
   for (std::size_t c = 0; c < classes.size(); ++c) {
     for (std::uint64_t seed = seeds.first; seed < seeds.first + seeds.count; ++seed) {
       const auto a = prepared_scans(simulate_study_run(classes[c], seed, params));
-      const auto b =
-          prepared_scans(simulate_study_run(classes[(c + 1) % classes.size()], seed + 1000, params));
+      const auto b = prepared_scans(
+          simulate_study_run(classes[(c + 1) % classes.size()], seed + 1000, params));
       for (std::size_t i = 0; i < a.size(); i += 4) {
         for (std::size_t j = 0; j < b.size(); j += 2) visit({a[i], b[j], std::nullopt});
       }

@@ -114,8 +114,6 @@ void run_fit() {
   visit_buildings(half_turn_scanner(0.03), {2017, 12}, add);
   visit_buildings(low_cost_360(), {2001, 16}, add);
   visit_strangers(utm_30lx(), {2001, 6}, add);
-  visit_strangers(half_turn_scanner(0.01), {2001, 12}, add);
-  visit_strangers(half_turn_scanner(0.03), {2013, 12}, add);
   const Eigen::VectorXd weights = fit_log_odds(examples.features, examples.is_right);
   std::vector<std::vector<double>> mapped;
   constexpr double kKnee = 2.0;
@@ -218,7 +216,9 @@ void run_check(const std::string& data_folder) {
   check("buildings, 360 deg", [](const VisitPair& visit) {
     visit_buildings(low_cost_360(), {1, 16}, visit);
   });
-  check("different buildings", [](const VisitPair& visit) { visit_strangers(utm_30lx(), {1, 10}, visit); });
+  check("different buildings", [](const VisitPair& visit) {
+    visit_strangers(utm_30lx(), {1, 10}, visit);
+  });
   check("different buildings, 180 deg", [](const VisitPair& visit) {
     visit_strangers(half_turn_scanner(0.01), {1, 10}, visit);
   });
