@@ -6,11 +6,14 @@
 #include <optional>
 #include <vector>
 
+#include "setsquare/matching/aliases.hpp"
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/information.hpp"
+#include "setsquare/matching/probability.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
 #include "setsquare/matching/trace.hpp"
 #include "setsquare/matching/verdict.hpp"
+#include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/paper/projected_profile.hpp"
 #include "setsquare/paper/zncc.hpp"
 
@@ -81,6 +84,7 @@ struct PoseMeasures {
   double overlap = 0.0;  ///< Share of the current scan's wall that agrees with the reference's.
   AxisZncc zncc;
   double distinct_wall_m = 0.0;
+  WallKinds kinds;  ///< Of both scans, summed.
 };
 
 PoseMeasures measure_pose(const PreparedScan& reference,
@@ -91,11 +95,15 @@ PoseMeasures measure_pose(const PreparedScan& reference,
   const Evidence seen = align_one_way(reference.image(), current.fine, T, tolerance_m).evidence;
   const Evidence seen_back =
       align_one_way(current.image(), reference.fine, T.inverse(), tolerance_m).evidence;
+  const TwoWayKinds kinds = wall_kinds(reference.fine_alignment(), current.fine_alignment(), T);
+  WallKinds sum = kinds.forward;
+  sum += kinds.backward;
   return {.two_way = {.forward = seen, .backward = seen_back},
           .overlap = seen.wall_m > 0.0 ? seen.agreeing_m / seen.wall_m : 0.0,
           .zncc = axis_zncc(reference, current, T),
           .distinct_wall_m = distinct_wall_m(
-              reference.fine_alignment(), current.fine_alignment(), T, params.distinct_wall)};
+              reference.fine_alignment(), current.fine_alignment(), T, params.distinct_wall),
+          .kinds = sum};
 }
 
 /// From the best candidate to the answer's pose.
@@ -122,11 +130,56 @@ std::optional<double> open_direction_rad(const WallConstraint& constraint,
   return constraint.open_direction_rad;
 }
 
-TracedVerdict traced(const VerdictEvidence& evidence, const AnswerParams& params) {
+/// Of a degenerate answer what nothing holds is taken out of the information.
+void take_out_open_direction(std::optional<double> open_rad, MatchResult& result) {
+  result.degenerate_direction_rad = open_rad;
+  result.information =
+      without_direction(result.information,
+                        open_rad ? Eigen::Vector3d(std::cos(*open_rad), std::sin(*open_rad), 0.0)
+                                 : Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
+}
+
+/// What the probability is computed from, and the motions under which the place looks the same.
+struct Belief {
+  ProbabilityEvidence evidence;
+  std::vector<Pose2> aliases;
+
+  [[nodiscard]] double probability() const { return match_probability(evidence, aliases.size()); }
+};
+
+Belief believe(const PreparedScan& reference,
+               const PreparedScan& current,
+               std::span<const Candidate> candidates,
+               const CandidateMeasures& ranked,
+               const PoseMeasures& measured,
+               const WallConstraint& constraint,
+               const MatchParams& params) {
+  const double runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0;
+  Belief belief;
+  belief.evidence = {.kinds = measured.kinds,
+                     .constraint = constraint,
+                     .score = ranked.score,
+                     .margin = score_margin(ranked.score, runner_up_score, params.answer),
+                     .one_way_share = one_way_share(measured.two_way),
+                     .distinct_wall_m = measured.distinct_wall_m};
+  // Aliases make a probable answer doubtful; of another nothing is lost.
+  constexpr double kProbable = 0.5;
+  if (match_probability(belief.evidence) > kProbable) {
+    belief.aliases =
+        find_aliases(reference, current, candidates, measured.kinds.tight_m, params.alias);
+  }
+  return belief;
+}
+
+TracedVerdict traced(const VerdictEvidence& evidence,
+                     const Belief& belief,
+                     const AnswerParams& params) {
   return {.constraint = evidence.constraint,
           .two_way = evidence.two_way,
           .distinct_wall_m = evidence.distinct_wall_m,
-          .min_distinct_m = params.min_distinct_m};
+          .min_distinct_m = params.min_distinct_m,
+          .probability = belief.evidence,
+          .aliases = belief.aliases};
 }
 
 }  // namespace
@@ -155,16 +208,23 @@ MatchResult answer(const PreparedScan& reference,
   const CandidateMeasures ranked = measure_candidate(candidates, params.answer);
   const PoseMeasures measured =
       measure_pose(reference, current, refined.T_reference_current, params);
+  const WallConstraint constraint = wall_constraint(refined.pose_hessian);
+  const Belief belief =
+      believe(reference, current, candidates, ranked, measured, constraint, params);
   const VerdictEvidence evidence{
       .candidates = candidates,
       .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
-      .constraint = wall_constraint(refined.pose_hessian),
+      .constraint = constraint,
       .two_way = measured.two_way,
-      .distinct_wall_m = measured.distinct_wall_m};
+      .distinct_wall_m = measured.distinct_wall_m,
+      .probability = belief.probability(),
+      .num_aliases = belief.aliases.size()};
 
   MatchResult result;
   result.status = verdict(evidence, params.answer);
-  if (trace != nullptr) trace->verdict = traced(evidence, params.answer);
+  if (trace != nullptr) trace->verdict = traced(evidence, belief, params.answer);
+  result.probability = evidence.probability;
+  if (!belief.aliases.empty()) result.alias = belief.aliases.front();
   result.T_reference_current = refined.T_reference_current;
   result.information = match_information(refined.normal);
   result.score = ranked.score;
@@ -175,12 +235,7 @@ MatchResult answer(const PreparedScan& reference,
   result.zncc_x = measured.zncc.x;
   result.zncc_y = measured.zncc.y;
   if (result.status == MatchStatus::kDegenerate) {
-    const auto open_rad = open_direction_rad(evidence.constraint, params.answer);
-    result.degenerate_direction_rad = open_rad;
-    result.information =
-        without_direction(result.information,
-                          open_rad ? Eigen::Vector3d(std::cos(*open_rad), std::sin(*open_rad), 0.0)
-                                   : Eigen::Vector3d(Eigen::Vector3d::UnitZ()));
+    take_out_open_direction(open_direction_rad(constraint, params.answer), result);
   }
   return result;
 }

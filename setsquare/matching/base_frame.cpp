@@ -35,6 +35,9 @@ MatchResult match_result_of_base(const MatchResult& of_sensor,
   if (of_sensor.runner_up) {
     result.runner_up->T_reference_current = of_base(of_sensor.runner_up->T_reference_current);
   }
+  if (of_sensor.alias) {
+    result.alias = T_base_sensor_reference * *of_sensor.alias * T_base_sensor_reference.inverse();
+  }
   if (of_sensor.degenerate_direction_rad) {
     const double turned_rad =
         *of_sensor.degenerate_direction_rad + T_base_sensor_reference.theta_rad;

@@ -57,6 +57,13 @@ void MotionBounds::validate() const {
   require(max_rotation_rad >= 0.0, "bounds.max_rotation_rad", "must not be negative");
 }
 
+void AliasParams::validate() const {
+  require_positive(min_share, "alias.min_share");
+  require_not_negative(max_contradiction_m, "alias.max_contradiction_m");
+  require_positive(min_constraint_m, "alias.min_constraint_m");
+  require_positive(tolerance_m, "alias.tolerance_m");
+}
+
 void MatchParams::validate() const {
   bounds.validate();
   surface.validate();
@@ -64,6 +71,7 @@ void MatchParams::validate() const {
   refinement.validate();
   sweep.validate();
   distinct_wall.validate();
+  alias.validate();
   require(score.tolerance_m > 0.0, "tolerance_m", "must be positive");
   require(score.contradiction_weight >= 0.0, "contradiction_weight", "must not be negative");
   require(score.usual_contradiction > 0.0, "usual_contradiction", "must be positive");
@@ -71,6 +79,11 @@ void MatchParams::validate() const {
           "outside_discount",
           "must be in [0, 1)");
   require(score.hidden_weight >= 0.0, "hidden_weight", "must not be negative");
+  require(answer.min_probability > 0.0, "min_probability", "must be positive");
+  require(answer.min_probability_by_rules >= 0.0 &&
+              answer.min_probability_by_rules <= answer.min_probability,
+          "min_probability_by_rules",
+          "must be in [0, min_probability]");
   require(std::isfinite(answer.min_score), "min_score", "must be finite");
   require(std::isfinite(answer.min_agreement), "min_agreement", "must be finite");
   require(answer.min_turning_m3 >= 0.0, "min_turning_m3", "must not be negative");

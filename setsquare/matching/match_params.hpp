@@ -81,10 +81,23 @@ struct DistinctWallParams {
   void validate() const;
 };
 
+/// When a motion is an alias: the place looks the same under it (find_aliases).
+struct AliasParams {
+  double min_share = 0.4;            ///< Of the answer's closely agreeing wall, at the other pose.
+  double max_contradiction_m = 3.0;  ///< By this much more may be contradicted there.
+  double min_constraint_m = 1.0;     ///< Wall that must hold the open direction, each time ...
+  double tolerance_m = 0.08;         ///< ... of what agrees within this.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
-  std::size_t min_points = 10;     ///< Returns that a scan must have at least.
-  double min_agreement = 0.10;     ///< Share; below it the scans do not overlap.
+  std::size_t min_points = 10;             ///< Returns that a scan must have at least.
+  double min_probability = 0.999;          ///< An answer stands by its probability, or ...
+  double min_probability_by_rules = 0.95;  ///< ... by a lower one and all rules of the score below.
+  double min_agreement = 0.10;             ///< Share; below it the scans do not overlap.
   double min_constraint_m = 0.5;   ///< Wall that must hold the open direction of the position.
   double min_turning_m3 = 2.0;     ///< Wall times squared lever arm that must hold the rotation.
   double min_score = 0.24;         ///< An answer stands by its score ...
@@ -128,6 +141,7 @@ struct MatchParams {
   RefinementParams refinement;
   SweepParams sweep;
   DistinctWallParams distinct_wall;
+  AliasParams alias;
   AnswerParams answer;
   SearchParams quick;  ///< Rotations from the walls' directions.
   /// Every rotation of the circle: where the quick search finds nothing that stands.

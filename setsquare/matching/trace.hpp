@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "setsquare/matching/candidates.hpp"
+#include "setsquare/matching/probability.hpp"
 #include "setsquare/matching/verdict.hpp"
 #include "setsquare/surfaces/angle_histogram.hpp"
 
@@ -31,6 +32,8 @@ struct TracedVerdict {
   TwoWayEvidence two_way;
   double distinct_wall_m = 0.0;
   double min_distinct_m = 0.0;  ///< Asked of it: more of the quick search than of the thorough one.
+  ProbabilityEvidence probability;
+  std::vector<Pose2> aliases;  ///< In the reference's frame.
 };
 
 /// What one match considered, for `explain`. Poses are those of the sensors.

@@ -11,12 +11,6 @@
 namespace setsquare {
 namespace {
 
-/// Share of the wall that can be judged (agreeing or contradicted) that is contradicted.
-double contradicted_share(const Evidence& evidence) {
-  const double judged_m = evidence.agreeing_m + evidence.contradicted_m;
-  return judged_m > 0.0 ? evidence.contradicted_m / judged_m : 0.0;
-}
-
 /// Whether a different pose explains nearly as much and is contradicted as little. Its score may be
 /// lower only because less is seen in common, which speaks for small motion, not against the pose.
 bool has_rival(std::span<const Candidate> candidates, const AnswerParams& params) {
@@ -31,19 +25,37 @@ bool has_rival(std::span<const Candidate> candidates, const AnswerParams& params
   });
 }
 
-/// Whether score and margin speak for the answer alone.
+/// Whether score, margin and distinct wall speak for the answer alone.
 bool stands_out(const VerdictEvidence& evidence, const AnswerParams& params) {
   const double score = evidence.candidates.front().score;
   if (score < params.low_score && evidence.constraint.all_m < params.min_wall_m) return false;
-  const double one_way_share = std::max(contradicted_share(evidence.two_way.forward),
-                                        contradicted_share(evidence.two_way.backward));
-  const double margin = score - std::max(evidence.runner_up_score, params.floor_score);
-  if (margin < params.margin_per_contradiction * one_way_share) return false;
+  if (evidence.distinct_wall_m < params.min_distinct_m) return false;
+  const double margin = score_margin(score, evidence.runner_up_score, params);
+  if (margin < params.margin_per_contradiction * one_way_share(evidence.two_way)) return false;
   return (score >= params.min_score && margin >= params.min_margin) ||
          (score >= params.min_score_alone && margin >= params.min_margin_alone);
 }
 
+/// Whether the answer is probable enough: alone, or together with the rules of the score.
+bool is_probable(const VerdictEvidence& evidence, const AnswerParams& params) {
+  if (evidence.probability >= params.min_probability) return true;
+  return evidence.probability >= params.min_probability_by_rules && stands_out(evidence, params);
+}
+
 }  // namespace
+
+double contradicted_share(const Evidence& evidence) {
+  const double judged_m = evidence.agreeing_m + evidence.contradicted_m;
+  return judged_m > 0.0 ? evidence.contradicted_m / judged_m : 0.0;
+}
+
+double one_way_share(const TwoWayEvidence& two_way) {
+  return std::max(contradicted_share(two_way.forward), contradicted_share(two_way.backward));
+}
+
+double score_margin(double score, double runner_up_score, const AnswerParams& params) {
+  return score - std::max(runner_up_score, params.floor_score);
+}
 
 WallConstraint wall_constraint(const Eigen::Matrix3d& hessian) {
   Eigen::Matrix2d translation = hessian.topLeftCorner<2, 2>();
@@ -73,8 +85,8 @@ MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params)
   const bool is_held = evidence.constraint.open_direction_m >= params.min_constraint_m &&
                        evidence.constraint.turning_m3 >= params.min_turning_m3;
   if (!is_held) return MatchStatus::kDegenerate;
-  const bool is_alone = stands_out(evidence, params) && !has_rival(evidence.candidates, params) &&
-                        evidence.distinct_wall_m >= params.min_distinct_m;
+  const bool is_alone = is_probable(evidence, params) && evidence.num_aliases == 0 &&
+                        !has_rival(evidence.candidates, params);
   return is_alone ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
 }
 

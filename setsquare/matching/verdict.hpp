@@ -3,6 +3,7 @@
 // Apart from answer, its only caller: the rules, tested without scans.
 #pragma once
 
+#include <cstddef>
 #include <Eigen/Core>
 #include <span>
 
@@ -39,7 +40,18 @@ struct VerdictEvidence {
   WallConstraint constraint;
   TwoWayEvidence two_way;
   double distinct_wall_m = 0.0;
+  double probability = 0.0;     ///< That the answer is right, aliases counted.
+  std::size_t num_aliases = 0;  ///< Motions under which the place looks the same.
 };
+
+/// Share of the wall that can be judged (agreeing or contradicted) that is contradicted.
+[[nodiscard]] double contradicted_share(const Evidence& evidence);
+
+/// The larger of the shares that one scan contradicts in the other.
+[[nodiscard]] double one_way_share(const TwoWayEvidence& two_way);
+
+/// Of the score above the best different pose, or above what counts as no match at all.
+[[nodiscard]] double score_margin(double score, double runner_up_score, const AnswerParams& params);
 
 /// Whether the best candidate stands, and if not, why. An accepted wrong match is the worst
 /// outcome: each rule here answers to a kind of place seen in logs (docs/method.md).

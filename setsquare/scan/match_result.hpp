@@ -49,7 +49,13 @@ struct MatchResult {
   double agreement = 0.0;  ///< Share of the comparable returns that lie on the other's surfaces.
   double contradiction = 0.0;  ///< Share of the returns that lie where the other scan saw through.
   double overlap = 0.0;        ///< Share of the current returns explained by the reference.
+  /// That the answer is right, within 0.2 m and 3 deg, of scans taken within 5 m of each other; NaN
+  /// where the preset does not measure it.
+  double probability = std::numeric_limits<double>::quiet_NaN();
   std::optional<RunnerUp> runner_up = std::nullopt;
+  /// A motion in the reference's frame under which the place looks the same, a niche further: moved
+  /// by it the answer is a pose that nothing contradicts either. Nothing where there is none.
+  std::optional<Pose2> alias = std::nullopt;
   /// Direction in the reference's frame along which the pose is not determined, in rad, modulo pi;
   /// nothing where it is only the rotation that is not.
   std::optional<double> degenerate_direction_rad = std::nullopt;

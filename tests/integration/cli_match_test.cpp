@@ -66,7 +66,7 @@ std::vector<std::vector<std::string>> cells_of(const std::string& table) {
   std::getline(lines, header);
   EXPECT_EQ(header,
             "reference_stamp\tcurrent_stamp\tstatus\tx_m\ty_m\ttheta_rad\tzncc_x\tzncc_y\t"
-            "agreement\tcontradiction\toverlap\tscore\trunner_up_score\tmicroseconds");
+            "agreement\tcontradiction\toverlap\tscore\trunner_up_score\tprobability\tmicroseconds");
   for (std::string line; std::getline(lines, line);) {
     std::istringstream cells(line);
     rows.emplace_back();
@@ -87,7 +87,7 @@ TEST(CommandMatch, PairsGiveOneLineEachInTheirOrder) {
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto rows = cells_of(outcome.out);
   ASSERT_EQ(rows.size(), 4U);
-  for (const auto& row : rows) ASSERT_EQ(row.size(), 14U);
+  for (const auto& row : rows) ASSERT_EQ(row.size(), 15U);
   EXPECT_EQ(rows[0][0], "12.000000");
   EXPECT_EQ(rows[0][1], "10.000000");
   EXPECT_EQ(rows[1][0], "10.000000");
@@ -126,7 +126,7 @@ TEST(CommandMatch, PairsIntoAFileAndBothPresets) {
     EXPECT_EQ(outcome.out, "");
     const auto rows = cells_of(testing::content_of(table));
     ASSERT_EQ(rows.size(), 1U);
-    EXPECT_EQ(rows[0].size(), 14U);
+    EXPECT_EQ(rows[0].size(), 15U);
     EXPECT_NEAR(std::stod(rows[0][3]), truth(0, 1).x_m, 0.1);
   }
 }

@@ -31,6 +31,8 @@ MatchResult random_result(std::mt19937_64& generator) {
   result.information = root * root.transpose();
   result.score = 0.5;
   result.runner_up = RunnerUp{random_pose(generator, 5.0), 0.4};
+  result.alias = random_pose(generator, 5.0);
+  result.probability = 0.3;
   result.degenerate_direction_rad = uniform(generator, 0.0, kPi);
   return result;
 }
@@ -54,6 +56,13 @@ TEST(BaseFrame, PosesAreThoseOfTheRobot) {
       expect_same(*of_base.T_reference_current, *of_sensor.T_reference_current);
       expect_same(of_base.runner_up->T_reference_current, of_sensor.runner_up->T_reference_current);
     }
+    // The answer moved by the alias is the same place in either frame.
+    const Pose2 moved_of_base = *of_base.alias * *of_base.T_reference_current;
+    const Pose2 moved_of_sensor = *of_sensor.alias * *of_sensor.T_reference_current;
+    const Pose2 expected = T_base_sensor * moved_of_sensor * T_base_sensor_current.inverse();
+    EXPECT_LT((moved_of_base.translation() - expected.translation()).norm(), 1e-9);
+    EXPECT_NEAR(wrap_to_pi(moved_of_base.theta_rad - expected.theta_rad), 0.0, 1e-9);
+    EXPECT_EQ(of_base.probability, of_sensor.probability);
     EXPECT_EQ(of_base.status, of_sensor.status);
     EXPECT_EQ(of_base.score, of_sensor.score);
     EXPECT_EQ(of_base.runner_up->score, of_sensor.runner_up->score);

@@ -26,6 +26,8 @@ struct Case {
   TwoWayEvidence two_way{{.wall_m = 10.0, .agreeing_m = 6.0, .contradicted_m = 0.1},
                          {.wall_m = 10.0, .agreeing_m = 6.0, .contradicted_m = 0.1}};
   double distinct_wall_m = 8.0;
+  double probability = 0.99;  ///< Enough with the rules of the score, not without.
+  std::size_t num_aliases = 0;
   AnswerParams params;
 
   [[nodiscard]] MatchStatus verdict() const {
@@ -33,7 +35,9 @@ struct Case {
                                .runner_up_score = runner_up_score,
                                .constraint = constraint,
                                .two_way = two_way,
-                               .distinct_wall_m = distinct_wall_m},
+                               .distinct_wall_m = distinct_wall_m,
+                               .probability = probability,
+                               .num_aliases = num_aliases},
                               params);
   }
 };
@@ -157,7 +161,46 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"min_distinct_m",
              [](Case& c) { c.distinct_wall_m = 1.81; },
              [](Case& c) { c.distinct_wall_m = 1.79; },
+             kAmbiguous},
+        Rule{"min_probability_by_rules",
+             [](Case& c) { c.probability = c.params.min_probability_by_rules + 0.001; },
+             [](Case& c) { c.probability = c.params.min_probability_by_rules - 0.001; },
+             kAmbiguous},
+        Rule{"min_probability",  // Where the rules of the score fail.
+             [](Case& c) {
+               set_score(c, 0.2, 0.15);
+               c.probability = 0.9991;
+             },
+             [](Case& c) {
+               set_score(c, 0.2, 0.15);
+               c.probability = 0.9989;
+             },
+             kAmbiguous},
+        Rule{"an alias",
+             [](Case& c) { c.probability = 1.0; },
+             [](Case& c) {
+               c.probability = 1.0;
+               c.num_aliases = 1;
+             },
              kAmbiguous}));
+
+TEST(Verdict, AProbableAnswerNeedsNoRuleOfTheScoreButHasNoRival) {
+  Case c;
+  c.probability = 0.9995;
+  set_score(c, 0.05, 0.0);
+  c.two_way.forward = {.agreeing_m = 5.0, .contradicted_m = 5.0};
+  c.distinct_wall_m = 0.5;
+  c.constraint.all_m = 1.0;
+  EXPECT_EQ(c.verdict(), MatchStatus::kMatched);
+  set_rival(c, 11.0, 0.0);
+  EXPECT_EQ(c.verdict(), MatchStatus::kAmbiguous);
+}
+
+TEST(Verdict, NoProbabilityIsNoMatch) {
+  Case c;
+  c.probability = std::nan("");
+  EXPECT_EQ(c.verdict(), MatchStatus::kAmbiguous);
+}
 
 TEST(Verdict, ARivalWithinTheSameBasinIsNone) {
   Case c;

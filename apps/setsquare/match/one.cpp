@@ -41,6 +41,7 @@ void print_json(const MatchResult& result, const Scan& reference, const Scan& cu
   json["zncc_x"] = result.zncc_x;
   json["zncc_y"] = result.zncc_y;
   json["score"] = result.score;
+  json["probability"] = result.probability;
   json["agreement"] = result.agreement;
   json["contradiction"] = result.contradiction;
   json["overlap"] = result.overlap;
@@ -49,6 +50,8 @@ void print_json(const MatchResult& result, const Scan& reference, const Scan& cu
     json["runner_up"] = {{"pose", json_from(result.runner_up->T_reference_current)},
                          {"score", result.runner_up->score}};
   }
+  json["alias"] = nullptr;
+  if (result.alias) json["alias"] = json_from(*result.alias);
   json["degenerate_direction_rad"] = nullptr;
   if (result.degenerate_direction_rad) {
     json["degenerate_direction_rad"] = *result.degenerate_direction_rad;
@@ -122,6 +125,8 @@ void print_text(const MatchResult& result, const Scan& reference, const Scan& cu
                result.overlap);
   }
   print_line("score", "{:.3f}", result.score);
+  if (!std::isnan(result.probability)) print_line("probability", "{:.5f}", result.probability);
+  if (result.alias) print_pose("looks the same", *result.alias);
   print_line("zncc", "along x' {:.2f}   along y' {:.2f}", result.zncc_x, result.zncc_y);
   if (!result.runner_up) return;
   print_pose("runner-up", result.runner_up->T_reference_current);

@@ -49,7 +49,7 @@ PairOutcome match_pair(const Scan& reference, const Scan& current, Preset preset
 
 constexpr const char* kTableHeader =
     "reference_stamp\tcurrent_stamp\tstatus\tx_m\ty_m\ttheta_rad\tzncc_x\tzncc_y\tagreement\t"
-    "contradiction\toverlap\tscore\trunner_up_score\tmicroseconds\n";
+    "contradiction\toverlap\tscore\trunner_up_score\tprobability\tmicroseconds\n";
 
 std::string table_line(const Scan& reference, const Scan& current, const PairOutcome& outcome) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -57,7 +57,7 @@ std::string table_line(const Scan& reference, const Scan& current, const PairOut
   const Pose2 pose = result.T_reference_current.value_or(Pose2{kNaN, kNaN, kNaN});
   return fmt::format(
       "{}\t{}\t{}\t{:.6f}\t{:.6f}\t{:.6f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t{:.4f}\t"
-      "{:.1f}\n",
+      "{:.5f}\t{:.1f}\n",
       to_string(reference.stamp),
       to_string(current.stamp),
       to_string(result.status),
@@ -71,6 +71,7 @@ std::string table_line(const Scan& reference, const Scan& current, const PairOut
       result.overlap,
       result.score,
       result.runner_up ? result.runner_up->score : kNaN,
+      result.probability,
       outcome.elapsed_us);
 }
 

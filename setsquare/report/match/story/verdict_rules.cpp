@@ -5,17 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/story/words.hpp"
 
 namespace setsquare {
 namespace {
-
-double contradicted_share_of(const Evidence& evidence) {
-  const double judged_m = evidence.agreeing_m + evidence.contradicted_m;
-  return judged_m > 0.0 ? evidence.contradicted_m / judged_m : 0.0;
-}
 
 VerdictRule at_least(
     const char* name, double found, double asked, int num_decimals, const char* unit) {
@@ -62,6 +58,26 @@ void add_rules_of_constraint(const WallConstraint& constraint,
   rules.back().otherwise = MatchStatus::kDegenerate;
 }
 
+/// Whether the answer is probable enough; what the rules of the score must add.
+VerdictRule rule_of_probability(const MatchResult& result, const AnswerParams& params) {
+  return {.name = "Probability that the answer is right",
+          .asked = fmt::format("at least {}, or {} and the rules of score, margin and lines",
+                               fixed(params.min_probability, 3),
+                               fixed(params.min_probability_by_rules, 2)),
+          .found = fixed(result.probability, 4),
+          .holds = result.probability >= params.min_probability_by_rules};
+}
+
+/// An answer that is probable enough needs no rule of the score.
+VerdictRule unless_probable(VerdictRule rule,
+                            const MatchResult& result,
+                            const AnswerParams& params) {
+  if (rule.holds || !(result.probability >= params.min_probability)) return rule;
+  rule.holds = true;
+  rule.found += " (not needed: the probability suffices)";
+  return rule;
+}
+
 /// Whether score and margin speak for the answer alone.
 void add_rules_of_score(const MatchResult& result,
                         const TracedVerdict& verdict,
@@ -69,23 +85,23 @@ void add_rules_of_score(const MatchResult& result,
                         std::vector<VerdictRule>& rules) {
   const double score = result.score;
   const double runner_up_score = result.runner_up ? result.runner_up->score : 0.0;
-  const double margin = score - std::max(runner_up_score, params.floor_score);
+  const double margin = score_margin(score, runner_up_score, params);
   const double all_m = verdict.constraint.all_m;
-  rules.push_back({.name = "Wall that holds a low score",
-                   .asked = fmt::format("a score of {} or {} m of wall",
-                                        fixed(params.low_score, 2),
-                                        fixed(params.min_wall_m, 1)),
-                   .found = fmt::format("{} and {} m", fixed(score, 3), fixed(all_m, 1)),
-                   .holds = score >= params.low_score || all_m >= params.min_wall_m});
-  const double share = std::max(contradicted_share_of(verdict.two_way.forward),
-                                contradicted_share_of(verdict.two_way.backward));
-  rules.push_back(at_least("Margin above the runner-up, by what one scan contradicts",
-                           margin,
-                           params.margin_per_contradiction * share,
-                           3,
-                           ""));
-  rules.push_back(
-      {.name = "Score, and margin above the runner-up",
+  const auto add = [&](VerdictRule rule) {
+    rules.push_back(unless_probable(std::move(rule), result, params));
+  };
+  add({.name = "Wall that holds a low score",
+       .asked = fmt::format("a score of {} or {} m of wall",
+                            fixed(params.low_score, 2),
+                            fixed(params.min_wall_m, 1)),
+       .found = fmt::format("{} and {} m", fixed(score, 3), fixed(all_m, 1)),
+       .holds = score >= params.low_score || all_m >= params.min_wall_m});
+  add(at_least("Margin above the runner-up, by what one scan contradicts",
+               margin,
+               params.margin_per_contradiction * one_way_share(verdict.two_way),
+               3,
+               ""));
+  add({.name = "Score, and margin above the runner-up",
        .asked = fmt::format("{} and {}, or {} and {}",
                             fixed(params.min_score, 2),
                             fixed(params.min_margin, 2),
@@ -94,12 +110,17 @@ void add_rules_of_score(const MatchResult& result,
        .found = fmt::format("{} and {}", fixed(score, 3), fixed(margin, 3)),
        .holds = (score >= params.min_score && margin >= params.min_margin) ||
                 (score >= params.min_score_alone && margin >= params.min_margin_alone)});
+  add(at_least("Agreeing wall on different lines",
+               verdict.distinct_wall_m,
+               verdict.min_distinct_m,
+               2,
+               " m"));
 }
 
 /// The different pose with the most agreeing wall among those that are contradicted as little.
 VerdictRule rule_of_rivals(const MatchTrace& trace, const AnswerParams& params) {
   const Candidate& best = trace.candidates.front().candidate;
-  const double max_share = contradicted_share_of(best.evidence) + params.rival_contradiction;
+  const double max_share = contradicted_share(best.evidence) + params.rival_contradiction;
   const double max_m = best.evidence.contradicted_m + params.rival_contradiction_m;
   double rival_m = 0.0;
   for (const TracedCandidate& traced : trace.candidates) {
@@ -107,8 +128,7 @@ VerdictRule rule_of_rivals(const MatchTrace& trace, const AnswerParams& params) 
     const bool is_judged =
         traced.fate == CandidateFate::kRunnerUp || traced.fate == CandidateFate::kOutscored;
     if (!is_judged || are_same(best.T_reference_current, other.T_reference_current, params) ||
-        other.evidence.contradicted_m > max_m ||
-        contradicted_share_of(other.evidence) > max_share) {
+        other.evidence.contradicted_m > max_m || contradicted_share(other.evidence) > max_share) {
       continue;
     }
     rival_m = std::max(rival_m, other.evidence.agreeing_m);
@@ -136,13 +156,13 @@ std::vector<VerdictRule> verdict_rules(const MatchResult& result,
   if (!trace.verdict) return rules;
   rules.push_back(rule_of_agreement(trace.candidates.front().candidate, params));
   add_rules_of_constraint(trace.verdict->constraint, params, rules);
+  rules.push_back(rule_of_probability(result, params));
   add_rules_of_score(result, *trace.verdict, params, rules);
   rules.push_back(rule_of_rivals(trace, params));
-  rules.push_back(at_least("Agreeing wall on different lines",
-                           trace.verdict->distinct_wall_m,
-                           trace.verdict->min_distinct_m,
-                           2,
-                           " m"));
+  rules.push_back({.name = "Motions under which the place looks the same",
+                   .asked = "none",
+                   .found = std::to_string(trace.verdict->aliases.size()),
+                   .holds = trace.verdict->aliases.empty()});
   return rules;
 }
 

@@ -72,6 +72,15 @@ std::string words_of_margin(const MatchResult& result) {
       fixed(result.score - result.runner_up->score, 3));
 }
 
+std::string words_of_alias(const Pose2& motion) {
+  return fmt::format(
+      "The place looks the same after a motion by {} m and {} deg in the reference's frame: moved "
+      "by "
+      "it, the answer is a pose that the scans do not contradict either.",
+      fixed(motion.translation().norm(), 2),
+      fixed(deg_from_rad(motion.theta_rad), 1));
+}
+
 std::string words_of_decision(const std::vector<VerdictRule>& rules) {
   const auto failed =
       std::find_if(rules.begin(), rules.end(), [](const VerdictRule& rule) { return !rule.holds; });
@@ -115,6 +124,9 @@ std::vector<std::string> evidence_in_words(const MatchResult& result,
                   "{}.",
                   words_of_share(result.overlap),
                   fixed(result.score, 3)));
+  words.push_back(fmt::format("Probability that the pose is right (within 0.2 m and 3 deg): {}.",
+                              fixed(result.probability, 4)));
+  if (result.alias) words.push_back(words_of_alias(*result.alias));
   words.push_back(words_of_margin(result));
   return words;
 }
