@@ -7,6 +7,8 @@
 
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
+#include "setsquare/mapping/audit/closures_anywhere.hpp"
+#include "setsquare/mapping/audit/seen_through.hpp"
 #include "setsquare/mapping/open_spread.hpp"
 #include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
@@ -89,6 +91,7 @@ std::size_t next_closing(std::size_t num_closed, const MapperParams& params) {
 Map MapMaker::make() const {
   Closed closed = log_.track.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
   Map map = map_of(closed);
+  if (params_.anywhere.is_on) close_anywhere(closed, map);
   if (params_.audit.is_on) audit_and_mend(closed, map);
   return map;
 }
@@ -144,12 +147,39 @@ Map MapMaker::map_of(const Closed& closed) const {
   return map;
 }
 
-void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
+std::vector<ScanSurfacesPtr> MapMaker::surfaces() const {
   std::vector<ScanSurfacesPtr> surfaces;
   surfaces.reserve(log_.track.size());
   for (const KeyframePtr& keyframe : log_.track.keyframes) surfaces.push_back(keyframe->surfaces);
+  return surfaces;
+}
+
+std::size_t MapMaker::num_seen_through_in(const Map& map) const {
+  std::vector<Pose2> T_map_sensor;
+  for (const std::size_t scan : map.keyframes) T_map_sensor.push_back(map.scans[scan].T_map_sensor);
+  return num_seen_through(log_.track, T_map_sensor, params_.num_threads);
+}
+
+void MapMaker::close_anywhere(Closed& closed, Map& map) const {
+  for (int round = 0; round < params_.anywhere.max_rounds; ++round) {
+    const std::vector<MapHypothesis> told =
+        closures_anywhere(map, surfaces(), params_.anywhere, params_.audit, params_.num_threads);
+    if (told.empty()) return;
+    Closed again = closed_with(closed, told);
+    Map closed_map = map_of(again);
+    if (!has_kept(closed_map, told, params_.anywhere, params_.audit)) return;
+    if (num_seen_through_in(closed_map) >
+        num_seen_through_in(map) + params_.anywhere.max_seen_through)
+      return;
+    closed = std::move(again);
+    map = std::move(closed_map);
+  }
+}
+
+void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
+  const std::vector<ScanSurfacesPtr> of_keyframes = surfaces();
   const auto audited = [&](const Map& audited_map) {
-    return audit(audited_map, surfaces, params_.audit, params_.num_threads);
+    return audit(audited_map, of_keyframes, params_.audit, params_.num_threads);
   };
   AuditFindings findings = audited(map);
   for (int round = 0; round < params_.audit.max_mendings; ++round) {

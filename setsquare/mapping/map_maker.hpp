@@ -79,9 +79,16 @@ class MapMaker {
   /// The graph's poses after registration of all keyframes.
   [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
                                                     const PoseGraph& graph) const;
+  /// Closes loops behind open stretches, wherever they are (closures_anywhere).
+  void close_anywhere(Closed& closed, Map& map) const;
   /// Matches scans of the map, and where they contradict it alike closes the loops again by them;
   /// the new map stays if it explains more of all matches. Then the doubts that are left.
   void audit_and_mend(Closed& closed, Map& map) const;
+
+  /// Keyframes that the map contradicts.
+  [[nodiscard]] std::size_t num_seen_through_in(const Map& map) const;
+  /// Of the track's keyframes.
+  [[nodiscard]] std::vector<ScanSurfacesPtr> surfaces() const;
 
   const TrackedLog& log_;
   const MapperParams& params_;
