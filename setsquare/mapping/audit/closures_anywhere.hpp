@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Olson 2008, "Robust and Efficient Robotic Mapping": a place is known again if it is unambiguous
-// over a larger extent than its position's spread.
+// Olson (olson2008), "Robust and Efficient Robotic Mapping": a place is known again if it is
+// unambiguous over a larger extent than its position's spread.
 #pragma once
 
 #include <cstddef>
