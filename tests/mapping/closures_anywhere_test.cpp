@@ -54,17 +54,25 @@ WaySpread spread_of(double sigma_m) {
   };
 }
 
-/// Matches of so many places of a room, the first at corner `room` of the first lap, with those at
-/// corner `again` of the second, as if it were there.
+/// A match of two keyframes that were each taken about a corner, as if both corners were one.
+AuditMatch match_of(std::size_t from, std::size_t to, double turn_rad = 0.0) {
+  const auto about_corner = [](std::size_t k) -> Eigen::Vector2d {
+    return place_of(k) - place_of(k / kPerSide * kPerSide);
+  };
+  const Eigen::Vector2d told_m = about_corner(to) - about_corner(from);
+  return {{from, to}, {told_m.x(), told_m.y(), turn_rad}, Eigen::Matrix3d::Identity()};
+}
+
+/// Matches of so many places at corner `room` of the first lap with those at corner `again` of the
+/// second.
 void match_room(std::size_t room,
                 std::size_t again,
                 std::vector<AuditMatch>& matches,
                 std::size_t num = 4,
-                const Pose2& T_told_off = {}) {
+                double turn_rad = 0.0) {
   for (std::size_t i = 0; i < num; ++i) {
-    const std::size_t from = room * kPerSide + 2 * i;
     const std::size_t to = kPerLap + again * kPerSide + 2 * i;
-    matches.push_back({{from, to}, T_told_off, Eigen::Matrix3d::Identity()});
+    matches.push_back(match_of(room * kPerSide + 2 * i, to, turn_rad));
   }
 }
 
@@ -117,7 +125,7 @@ TEST(ClosuresAnywhere, RoomsThatLookTheSameCountOnce) {
   // The first and the third room of the first lap are twins: three matches say so.
   for (const std::size_t i : {0U, 2U, 4U}) {
     EXPECT_EQ(num_believed(matches, track, 15.0), 12U) << "too few to say so";
-    matches.push_back({{i, 2 * kPerSide + i}, {}, Eigen::Matrix3d::Identity()});
+    matches.push_back(match_of(i, 2 * kPerSide + i));
   }
   EXPECT_EQ(num_believed(matches, track, 15.0), 0U);
 }
@@ -142,7 +150,7 @@ TEST(ClosuresAnywhere, WhatTurnsTheMapIsAnAlias) {
   const AuditedTrack track = two_laps({9.0, -7.0});
   std::vector<AuditMatch> matches;
   for (const std::size_t room : {0U, 1U, 2U}) {
-    match_room(room, room, matches, 4, {0.0, 0.0, rad_from_deg(90.0)});
+    match_room(room, room, matches, 4, rad_from_deg(90.0));
   }
   EXPECT_EQ(num_believed(matches, track, 15.0), 0U);
 }

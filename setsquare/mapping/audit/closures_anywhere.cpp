@@ -7,6 +7,7 @@
 #include <cmath>
 #include <Eigen/LU>
 #include <limits>
+#include <utility>
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
@@ -106,6 +107,12 @@ class ClosureJudge {
     return std::abs(track_.way_m[a] - track_.way_m[b]);
   }
 
+  /// Independent matches of the largest group of them that tell the same.
+  [[nodiscard]] std::size_t most_alike(std::vector<std::size_t> indices) const {
+    const auto groups = alike_groups(matches_, std::move(indices), track_, audit_);
+    return groups.empty() ? 0 : groups.front().num_places;
+  }
+
   [[nodiscard]] std::vector<ToldPlace> told_places() const {
     std::vector<ToldPlace> places;
     for (AlikeMatches& alike : alike_groups(matches_, undetermined(), track_, audit_)) {
@@ -133,7 +140,7 @@ class ClosureJudge {
           off_m.norm() < audit_.off_m && !is_loose(spread_(match.pair.from, match.pair.to));
       if (!is_as_tracked) rivals.push_back(i);
     }
-    return static_cast<double>(num_places_of(matches_, rivals, track_)) >=
+    return static_cast<double>(most_alike(std::move(rivals))) >=
            params_.max_rival_share * static_cast<double>(place.alike.num_places);
   }
 
@@ -179,7 +186,7 @@ class ClosureJudge {
       if (!is_across) continue;
       if (audit_offset(matches_[i], track_, audit_).off_rad < audit_.off_rad) alike.push_back(i);
     }
-    return num_places_of(matches_, alike, track_) >= params_.min_places;
+    return most_alike(std::move(alike)) >= params_.min_places;
   }
 
   /// Rooms among them, no two of which look the same.
