@@ -44,6 +44,23 @@ def stops(num, duration_s):
     return fault
 
 
+def uneven_speed(most, least_s=2.0, longest_s=6.0):
+    """Where it does not turn the robot drives at one to `most` times its speed, another multiple
+    every few seconds."""
+    def fault(scans, draw):
+        period_s = scans[1]["stamp"] - scans[0]["stamp"]
+        driven, i, change = [], 0, 0
+        while i < len(scans):
+            if len(driven) >= change:
+                multiple = draw.randint(1, most)
+                change = len(driven) + round(draw.uniform(least_s, longest_s) / period_s)
+            driven.append({**scans[i], "stamp": scans[0]["stamp"] + len(driven) * period_s})
+            is_turning = abs(scans[i]["truth"][2] - scans[max(i - 1, 0)]["truth"][2]) > 0.005
+            i += 1 if is_turning else multiple
+        return driven
+    return fault
+
+
 # Odometry.
 
 def _with_odometry(scans, poses):

@@ -40,6 +40,22 @@ def _corridors():
     }
 
 
+def _rings():
+    """Loops through bare corridors, and places that only look like loops."""
+    slow = (*SICK[:-1], "0.6")
+    spoilt = (faults.short_sight(8.0), faults.uneven_speed(2), faults.stops(4, 4.0))
+
+    def level(name, plan):
+        return Level(name, slow, plan=plan, faults=spoilt, map=WITHOUT)
+    return {
+        "ring-of-rooms": (level("30 m", lambda seed: plans.ring_of_rooms(seed, 31.0)),
+                          level("30 to 60 m", plans.ring_of_rooms)),
+        "twins": (level("one room, spiral", plans.spiral_of_twins),
+                  level("two rooms, spiral", lambda seed: plans.spiral_of_twins(seed, 2)),
+                  level("row", plans.row_of_twins), level("corridors", plans.twin_corridors)),
+    }
+
+
 def _round_halls():
     hall = plans.round_hall
     return {
@@ -128,5 +144,5 @@ def _plain():
                       Level("360 deg, 8 m, alone", LOW_COST, map=WITHOUT))}
 
 
-KINDS = {**_plain(), **_corridors(), **_round_halls(), **_wings(), **_sparse(), **_turns(), **_odometry(),
+KINDS = {**_plain(), **_corridors(), **_rings(), **_round_halls(), **_wings(), **_sparse(), **_turns(), **_odometry(),
          **_scans()}

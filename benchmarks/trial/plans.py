@@ -68,6 +68,113 @@ def ring(seed):
     return _svg([_polygon(outer), _polygon(inner), *boxes], route)
 
 
+def _walls(spaces):
+    """Lines along the boundary of the union of spaces (x0, y0, x1, y1)."""
+    def free_of(fixed, low, high, is_beside):
+        """The parts of an edge that no other space covers."""
+        parts = [(low, high)]
+        for begin, end in sorted(filter(None, (is_beside(space, fixed) for space in spaces))):
+            parts = [piece for a, b in parts for piece in ((a, min(b, begin)), (max(a, end), b))
+                     if piece[1] - piece[0] > 1e-9]
+        return parts
+
+    def over_row(sign):  # Spaces that lie just beyond a horizontal edge.
+        return lambda s, y: (s[0], s[2]) if s[1] < y + sign * 1e-6 < s[3] else None
+
+    def over_column(sign):
+        return lambda s, x: (s[1], s[3]) if s[0] < x + sign * 1e-6 < s[2] else None
+    lines = []
+    for x0, y0, x1, y1 in spaces:
+        lines += [(a, y, b, y) for y, sign in ((y0, -1), (y1, 1))
+                  for a, b in free_of(y, x0, x1, over_row(sign))]
+        lines += [(x, a, x, b) for x, sign in ((x0, -1), (x1, 1))
+                  for a, b in free_of(x, y0, y1, over_column(sign))]
+    return [f"<line x1='{a:.3f}' y1='{b:.3f}' x2='{c:.3f}' y2='{d:.3f}'/>" for a, b, c, d in lines]
+
+
+def _passage(a, b, half):
+    """A corridor between two points with the same x or y."""
+    (x0, y0), (x1, y1) = a, b
+    return (min(x0, x1) - half, min(y0, y1) - half, max(x0, x1) + half, max(y0, y1) + half)
+
+
+def _room(draw):
+    """A room about (0, 0), with an alcove and two cupboards, that no other draw has: spaces and
+    boxes (x0, y0, x1, y1)."""
+    left, right, low, high = (draw.uniform(2.2, 3.8) for _ in range(4))
+    alcove, depth = draw.uniform(1.0, 1.8), draw.uniform(0.6, 1.5)
+    side = draw.choice((-1, 1))
+    beyond = (right, -low, right + depth, alcove - low)
+    if side < 0:
+        beyond = (-left - depth, -low, -left, alcove - low)
+    wide, deep = draw.uniform(0.4, 0.9), draw.uniform(0.3, 0.7)
+    boxes = [(-left, high - deep, wide - left, high),
+             (right - deep, high - draw.uniform(0.5, 1.0), right, high)]
+    return [(-left, -low, right, high), beyond], boxes
+
+
+def _moved(boxes, at):
+    return [(x0 + at[0], y0 + at[1], x1 + at[0], y1 + at[1]) for x0, y0, x1, y1 in boxes]
+
+
+def _rooms_and_corridors(rooms, places, half, route):
+    """A plan of rooms at places, each joined to the next place by a bare corridor."""
+    spaces, boxes = [], []
+    for (of_room, cupboards), at in zip(rooms, places):
+        spaces += _moved(of_room, at)
+        boxes += _moved(cupboards, at)
+    spaces += [_passage(a, b, half) for a, b in zip(places, places[1:])]
+    return _svg([*_walls(spaces), *(_box(x0, y0, x1 - x0, y1 - y0) for x0, y0, x1, y1 in boxes)],
+                route)
+
+
+def ring_of_rooms(seed, longest_m=60.0):
+    """Four rooms, no two alike, at the corners of a ring of bare corridors of 30 m and more; driven
+    once around and on to the third room again."""
+    draw = random.Random(seed)
+    length, depth, half = draw.uniform(30, longest_m), draw.uniform(30, longest_m), draw.uniform(0.9, 1.3)
+    corners = [(0.0, 0.0), (length, 0.0), (length, depth), (0.0, depth)]
+    ring = [*corners, corners[0]]
+    rooms = [_room(draw) for _ in corners]
+    return _rooms_and_corridors([*rooms, rooms[0]], ring, half, [*ring, *corners[1:3]])
+
+
+def spiral_of_twins(seed, num_twins=1):
+    """Rooms along a spiral of bare corridors that never comes back: after the fourth room follow
+    exact twins of the first, as many as asked for, the corridor between them of the same length."""
+    draw = random.Random(seed)
+    length, depth, half = draw.uniform(20, 40), draw.uniform(20, 40), draw.uniform(0.9, 1.3)
+    off_x, off_y = draw.uniform(9, 14), draw.uniform(9, 14)
+    places = [(0.0, 0.0), (length, 0.0), (length, depth), (-off_x, depth), (-off_x, -off_y)]
+    rooms = [_room(draw) for _ in range(4)]
+    rooms += rooms[:1]
+    if num_twins > 1:
+        places.append((length - off_x, -off_y))
+        rooms.append(rooms[1])
+    else:
+        places.append((12.0 - off_x, -off_y))
+        rooms.append(_room(draw))
+    return _rooms_and_corridors(rooms, places, half, places)
+
+
+def row_of_twins(seed):
+    """Exact twins of one room along a bare corridor, 15 to 40 m from each to the next."""
+    draw = random.Random(seed)
+    room, half, spacing = _room(draw), draw.uniform(0.9, 1.3), draw.uniform(15, 40)
+    places = [(k * spacing, 0.0) for k in range(4)]
+    return _rooms_and_corridors([room] * 4, places, half, [*places, *places[2::-1]])
+
+
+def twin_corridors(seed):
+    """Two corridors side by side, exact twins with the rooms at their ends, and one across; driven
+    through the first, across and through the second the same way."""
+    draw = random.Random(seed)
+    length, apart, half = draw.uniform(20, 40), draw.uniform(15, 25), draw.uniform(0.9, 1.3)
+    first, last = _room(draw), _room(draw)
+    places = [(0.0, 0.0), (length, 0.0), (0.0, 0.0), (0.0, apart), (length, apart)]
+    return _rooms_and_corridors([first, last, first, first, last], places, half, places)
+
+
 def round_hall(seed):
     """An empty round hall of 5 to 8 m radius and a way that winds through it."""
     draw = random.Random(seed)

@@ -29,7 +29,8 @@ struct MapperParams;  // setsquare/mapping/mapper_params.hpp; every default work
 /// 4. At the end: pieces of track between which tracking was lost are joined where they overlap
 ///    (join_pieces); weights of the closures by graduated non-convexity (solve_robustly), all
 ///    keyframes registered with their neighbours (register_keyframes), scans laid out between them
-///    (assemble_track).
+///    (assemble_track). Loops behind bare corridors are closed wherever they lie
+///    (closures_anywhere), and the map is audited (MapMaker).
 /// The map's axes are the building's. Memory grows with the log: a pose for every scan, and the
 /// scans that Map::kept_scans names.
 class Mapper {

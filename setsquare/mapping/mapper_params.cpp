@@ -17,6 +17,7 @@ void MapperParams::validate() const {
   robust.validate();
   joining.validate();
   registration.validate();
+  anywhere.validate();
   audit.validate();
   if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");
   require_not_negative(closing_growth, "closing_growth");

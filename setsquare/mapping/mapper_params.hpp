@@ -24,7 +24,10 @@ struct ClosureCandidateParams {
   double window_per_metre = 0.02;  ///< ... and this share of the way, by the shortest path.
   double max_window_m = 6.0;       ///< At most; correlation grids can hold no more.
   double slip_way = 50.0;          ///< Metres of way that one metre of possible slip counts for.
-  double closure_way_m = 1.0;      ///< Length of a closure in the graph.
+  /// A place that may be off along open stretches by more than the widest window, in so many
+  /// sigmas, is not looked for in it.
+  double max_sigmas_open = 3.0;
+  double closure_way_m = 1.0;  ///< Length of a closure in the graph.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -175,6 +178,27 @@ struct AuditParams {
   void validate() const;
 };
 
+/// Parameters of closures_anywhere.
+struct ClosuresAnywhereParams {
+  bool is_on = true;
+  double min_spread_m = 0.5;         ///< Where ways are known better (sigma), it is not needed.
+  std::size_t max_num_places = 240;  ///< Of the track, that are looked for ...
+  std::size_t num_alike = 8;         ///< ... and places that each is matched with.
+  std::size_t min_places = 3;        ///< Independent matches that must tell the same.
+  double max_rival_share = 0.5;      ///< Of these, such that tell another place.
+  /// Spreads of the position by which the extent of what is told must exceed the correction, where
+  /// one room tells it, and where two do; three rooms must extend over one spread.
+  double num_sigmas_of_one = 3.0;
+  double num_sigmas_of_two = 2.0;
+  double extent_share = 1.0;         ///< Of that extent; with 0 extents do not count.
+  int max_rounds = 3;                ///< Loops are closed again so often.
+  double min_kept = 0.8;             ///< Matches that the new map must agree with.
+  std::size_t max_seen_through = 2;  ///< Keyframes that it may contradict more than the old one.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of the mapper; every default works.
 struct MapperParams {
   ScanTrackerParams tracker;
@@ -187,6 +211,7 @@ struct MapperParams {
   PieceJoiningParams joining;
   RobustPoseGraphParams robust;
   RegistrationParams registration;
+  ClosuresAnywhereParams anywhere;
   AuditParams audit;
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;

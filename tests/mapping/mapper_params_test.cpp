@@ -140,6 +140,7 @@ void add_closing(std::vector<Number>& numbers) {
           {"window_per_metre", &P::window_per_metre},
           {"max_window_m", &P::max_window_m},
           {"slip_way", &P::slip_way, Zero::kIsFine},
+          {"max_sigmas_open", &P::max_sigmas_open, Zero::kIsFine},
           {"closure_way_m", &P::closure_way_m}},
          numbers);
   using Joining = PieceJoiningParams;
@@ -149,6 +150,16 @@ void add_closing(std::vector<Number>& numbers) {
                 {"agreeing_m", &Joining::agreeing_m},
                 {"agreeing_rad", &Joining::agreeing_rad}},
                numbers);
+  using Anywhere = ClosuresAnywhereParams;
+  add<Anywhere>([](MapperParams& p) -> Anywhere& { return p.anywhere; },
+                "anywhere.",
+                {{"min_spread_m", &Anywhere::min_spread_m},
+                 {"max_rival_share", &Anywhere::max_rival_share},
+                 {"num_sigmas_of_one", &Anywhere::num_sigmas_of_one, Zero::kIsFine},
+                 {"num_sigmas_of_two", &Anywhere::num_sigmas_of_two, Zero::kIsFine},
+                 {"extent_share", &Anywhere::extent_share, Zero::kIsFine},
+                 {"min_kept", &Anywhere::min_kept, Zero::kIsFine}},
+                numbers);
   using Audit = AuditParams;
   add<Audit>([](MapperParams& p) -> Audit& { return p.audit; },
              "audit.",
@@ -197,6 +208,9 @@ TEST(MapperParams, ACountOfNoneIsNamed) {
       {"joining.max_num_queries", [](P& p) { p.joining.max_num_queries = 0; }},
       {"joining.num_similar", [](P& p) { p.joining.num_similar = 0; }},
       {"joining.min_agreeing", [](P& p) { p.joining.min_agreeing = 0; }},
+      {"anywhere.max_num_places", [](P& p) { p.anywhere.max_num_places = 0; }},
+      {"anywhere.num_alike", [](P& p) { p.anywhere.num_alike = 0; }},
+      {"anywhere.min_places", [](P& p) { p.anywhere.min_places = 0; }},
       {"audit.min_num_pairs", [](P& p) { p.audit.min_num_pairs = 0; }},
       {"audit.min_seconded", [](P& p) { p.audit.min_seconded = 0; }},
   };

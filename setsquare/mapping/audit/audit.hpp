@@ -22,6 +22,12 @@ struct MapHypothesis {
   std::size_t num_agreeing = 0;                           ///< Such that agree with the map instead.
 };
 
+/// That of a match.
+[[nodiscard]] MapHypothesis hypothesis_by(const AuditMatch& match,
+                                          const AuditedTrack& track,
+                                          std::size_t num_places,
+                                          std::size_t num_agreeing = 0);
+
 /// What an audit found.
 struct AuditFindings {
   AuditReport report;
@@ -29,7 +35,7 @@ struct AuditFindings {
   std::vector<AuditMatch> matches;
   std::vector<ContradictionGroup> groups;  ///< Of the matches; the greatest first.
 
-  /// One for each match of the groups that raise a doubt.
+  /// One for each match of the groups that raise a doubt, but for those that may be of twins.
   [[nodiscard]] std::vector<MapHypothesis> hypotheses() const;
 };
 

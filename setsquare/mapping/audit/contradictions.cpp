@@ -26,18 +26,14 @@ constexpr double kSlip_m = 0.5;
 constexpr double kSlipPerMetre = 0.1;
 /// Length of a match that agrees with the map, in a way between two places.
 constexpr double kMatchWay_m = 1.0;
+/// A way that the map admits to be off by more (sigma) leads through an open stretch.
+constexpr double kOpenWay_m = 0.5;
 /// A scan that tracking lost counts for as much way.
 constexpr double kLostWay_m = 20.0;
 
 /// Standard deviation that the map itself admits between two of its keyframes.
 double admitted_m(const AuditPair& pair, const AuditedTrack& track) {
   return std::sqrt(std::max(0.0, track.open_m2[pair.to] - track.open_m2[pair.from]));
-}
-
-/// How the map would move about the later keyframe, which stays what it is elsewhere.
-Pose2 correction_of(const AuditMatch& match, const AuditedTrack& track) {
-  return track.T_map_sensor[match.pair.from] * match.T_from_to *
-         track.T_map_sensor[match.pair.to].inverse();
 }
 
 /// Distances along the track between the ends of two pairs.
@@ -54,8 +50,8 @@ bool are_alike(const AuditMatch& a,
                const AuditParams& params) {
   const auto [from_m, to_m] = ways_between(a.pair, b.pair, track);
   if (std::max(from_m, to_m) > params.part_m) return false;
-  const Pose2 by_a = correction_of(a, track);
-  const Pose2 by_b = correction_of(b, track);
+  const Pose2 by_a = correction_by(a, track);
+  const Pose2 by_b = correction_by(b, track);
   if (std::abs(wrap_to_pi(by_a.theta_rad - by_b.theta_rad)) > params.alike_rad) return false;
   const auto moved_apart_m = [&](std::size_t keyframe) {
     const Eigen::Vector2d p = track.T_map_sensor[keyframe].translation();
@@ -64,19 +60,6 @@ bool are_alike(const AuditMatch& a,
   const Eigen::Vector2d p = track.T_map_sensor[a.pair.to].translation();
   const double max_m = params.alike_m + params.alike_share * (by_a * p - p).norm();
   return std::max(moved_apart_m(a.pair.to), moved_apart_m(b.pair.to)) < max_m;
-}
-
-/// How many of the pairs were not taken from the same places as one counted before.
-std::size_t num_places_of(const std::vector<AuditPair>& pairs, const AuditedTrack& track) {
-  std::vector<AuditPair> counted;
-  for (const AuditPair& pair : pairs) {
-    const auto is_same = [&](const AuditPair& other) {
-      const auto [from_m, to_m] = ways_between(pair, other, track);
-      return std::max(from_m, to_m) < kSamePlace_m;
-    };
-    if (std::none_of(counted.begin(), counted.end(), is_same)) counted.push_back(pair);
-  }
-  return counted.size();
 }
 
 bool has_restarted_between(const AuditPair& pair, const AuditedTrack& track) {
@@ -126,49 +109,33 @@ class ContradictionGrouping {
                         const AuditParams& params)
       : matches_(matches), track_(track), params_(params) {
     for (std::size_t i = 0; i < matches.size(); ++i) {
-      (audit_offset(matches[i], track, params).contradicts_map ? left_ : agreeing_).push_back(i);
+      (audit_offset(matches[i], track, params).contradicts_map ? contradicting_ : agreeing_)
+          .push_back(i);
     }
   }
 
   std::vector<ContradictionGroup> all() {
     std::vector<ContradictionGroup> groups;
-    while (!left_.empty()) groups.push_back(next());
+    for (AlikeMatches& alike : alike_groups(matches_, contradicting_, track_, params_)) {
+      groups.push_back(weighed(std::move(alike)));
+    }
     return groups;
   }
 
  private:
-  /// Those that are left and alike, about one of them.
-  [[nodiscard]] std::vector<std::size_t> alike(std::size_t centre) const {
-    std::vector<std::size_t> found;
-    for (const std::size_t other : left_) {
-      if (other == centre || are_alike(matches_[centre], matches_[other], track_, params_)) {
-        found.push_back(other);
-      }
-    }
-    return found;
-  }
-
   [[nodiscard]] std::vector<AuditPair> pairs_of(const std::vector<std::size_t>& members) const {
     std::vector<AuditPair> pairs;
     for (const std::size_t i : members) pairs.push_back(matches_[i].pair);
     return pairs;
   }
 
-  /// The greatest group among those that are left, which it leaves.
-  ContradictionGroup next() {
-    ContradictionGroup group;
-    for (const std::size_t centre : left_) {
-      std::vector<std::size_t> members = alike(centre);
-      const std::size_t num_places = num_places_of(pairs_of(members), track_);
-      if (num_places <= group.num_places) continue;
-      group = {.members = std::move(members), .centre = centre, .num_places = num_places};
-    }
-    std::erase_if(left_, [&](std::size_t i) {
-      return std::binary_search(group.members.begin(), group.members.end(), i);
-    });
+  /// The group against what agrees with the map.
+  [[nodiscard]] ContradictionGroup weighed(AlikeMatches alike) const {
+    ContradictionGroup group{std::move(alike)};
     const std::vector<std::size_t> beside = agreeing_beside(group);
-    group.num_agreeing = num_places_of(pairs_of(beside), track_);
+    group.num_agreeing = num_places_of(matches_, beside, track_);
     group.raises_doubt = has_majority(group) && could_be_error_of_map(group, beside);
+    group.may_be_twin = is_twin_admitted(group);
     return group;
   }
 
@@ -185,6 +152,22 @@ class ContradictionGrouping {
     return found;
   }
 
+  [[nodiscard]] bool is_twin_admitted(const ContradictionGroup& group) const {
+    const AuditMatch& centre = matches_[group.centre];
+    if (admitted_m(centre.pair, track_) < kOpenWay_m) return false;
+    const Eigen::Vector2d p = track_.T_map_sensor[centre.pair.to].translation();
+    const Eigen::Vector2d off_m = correction_by(centre, track_) * p - p;
+    double low_m = 0.0;
+    double high_m = 0.0;
+    for (const std::size_t i : group.members) {
+      const Eigen::Vector2d member_m = track_.T_map_sensor[matches_[i].pair.to].translation();
+      const double along_m = (member_m - p).dot(off_m.normalized());
+      low_m = std::min(low_m, along_m);
+      high_m = std::max(high_m, along_m);
+    }
+    return off_m.norm() > high_m - low_m;
+  }
+
   [[nodiscard]] bool has_majority(const ContradictionGroup& group) const {
     return group.num_places >= params_.min_seconded &&
            static_cast<double>(group.num_places) >=
@@ -198,7 +181,7 @@ class ContradictionGrouping {
                                            const std::vector<std::size_t>& disputed) const {
     const AuditMatch& match = matches_[group.centre];
     if (has_restarted_between(match.pair, track_)) return true;
-    const Pose2 correction = correction_of(match, track_);
+    const Pose2 correction = correction_by(match, track_);
     const double turn_rad = std::abs(correction.theta_rad);
     if (turn_rad > kMaxTurn_rad) return false;
     std::vector<std::size_t> undisputed;
@@ -217,11 +200,67 @@ class ContradictionGrouping {
   std::span<const AuditMatch> matches_;
   const AuditedTrack& track_;
   const AuditParams& params_;
-  std::vector<std::size_t> left_;      ///< Contradictions in no group, in order.
-  std::vector<std::size_t> agreeing_;  ///< With the map.
+  std::vector<std::size_t> contradicting_;  ///< The map.
+  std::vector<std::size_t> agreeing_;       ///< With the map.
 };
 
+/// Those that are alike one of them.
+std::vector<std::size_t> alike_one(std::size_t centre,
+                                   std::span<const AuditMatch> matches,
+                                   const std::vector<std::size_t>& among,
+                                   const AuditedTrack& track,
+                                   const AuditParams& params) {
+  std::vector<std::size_t> found;
+  for (const std::size_t other : among) {
+    if (other == centre || are_alike(matches[centre], matches[other], track, params)) {
+      found.push_back(other);
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+Pose2 correction_by(const AuditMatch& match, const AuditedTrack& track) {
+  return track.T_map_sensor[match.pair.from] * match.T_from_to *
+         track.T_map_sensor[match.pair.to].inverse();
+}
+
+std::size_t num_places_of(std::span<const AuditMatch> matches,
+                          const std::vector<std::size_t>& indices,
+                          const AuditedTrack& track) {
+  std::vector<AuditPair> counted;
+  for (const std::size_t i : indices) {
+    const AuditPair& pair = matches[i].pair;
+    const auto is_same = [&](const AuditPair& other) {
+      const auto [from_m, to_m] = ways_between(pair, other, track);
+      return std::max(from_m, to_m) < kSamePlace_m;
+    };
+    if (std::none_of(counted.begin(), counted.end(), is_same)) counted.push_back(pair);
+  }
+  return counted.size();
+}
+
+std::vector<AlikeMatches> alike_groups(std::span<const AuditMatch> matches,
+                                       std::vector<std::size_t> indices,
+                                       const AuditedTrack& track,
+                                       const AuditParams& params) {
+  std::vector<AlikeMatches> groups;
+  while (!indices.empty()) {
+    AlikeMatches group;
+    for (const std::size_t centre : indices) {
+      std::vector<std::size_t> members = alike_one(centre, matches, indices, track, params);
+      const std::size_t num_places = num_places_of(matches, members, track);
+      if (num_places <= group.num_places) continue;
+      group = {.members = std::move(members), .centre = centre, .num_places = num_places};
+    }
+    std::erase_if(indices, [&](std::size_t i) {
+      return std::binary_search(group.members.begin(), group.members.end(), i);
+    });
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
 
 AuditOffset audit_offset(const AuditMatch& match,
                          const AuditedTrack& track,

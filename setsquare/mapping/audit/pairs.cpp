@@ -253,6 +253,7 @@ AuditedTrack audited_track(const Map& map) {
     track.way_m.push_back(track.way_m.empty() ? 0.0 : track.way_m.back() + step_m);
     track.keyframes.push_back(k);
     track.T_map_sensor.push_back(scan.T_map_sensor);
+    track.is_open.push_back(scan.status == TrackStatus::kDegenerate);
     scans.push_back(map.keyframes[k]);
   }
   track.open_m2 = admitted_m2(map, scans);
@@ -278,6 +279,53 @@ std::vector<std::size_t> spread_places(const AuditedTrack& track, std::size_t ma
   std::vector<std::size_t> places;
   for (std::size_t i = 0; i < num; ++i) places.push_back(i * track.size() / num);
   return places;
+}
+
+std::vector<std::size_t> telling_places(const AuditedTrack& track, std::size_t max_num) {
+  std::vector<std::size_t> telling;
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    if (!track.is_open[k]) telling.push_back(k);
+  }
+  const std::size_t num = std::min(telling.size(), max_num);
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < num; ++i) places.push_back(telling[i * telling.size() / num]);
+  return places;
+}
+
+std::vector<AuditPair> pairs_within_spread(const AuditedTrack& track,
+                                           std::span<const AuditedPlace> places,
+                                           const AuditParams& params,
+                                           std::size_t num_alike) {
+  PairSample sample(track);
+  for (const AuditedPlace& place : places) {
+    std::vector<std::size_t> admitted;
+    std::vector<PlaceSignature> signatures;
+    for (const AuditedPlace& other : places) {
+      if (track.way_m[place.keyframe] - track.way_m[other.keyframe] < params.revisit_way_m) break;
+      const double variance_m2 = track.open_m2[place.keyframe] - track.open_m2[other.keyframe];
+      if (!(variance_m2 > params.off_m * params.off_m)) break;
+      const double apart_m = (track.T_map_sensor[place.keyframe].translation() -
+                              track.T_map_sensor[other.keyframe].translation())
+                                 .norm();
+      if (apart_m > params.max_sigmas * std::sqrt(variance_m2) + params.near_m) continue;
+      admitted.push_back(other.keyframe);
+      signatures.push_back(other.signature);
+    }
+    // A few of each part of the track: a rival of the most alike is to be found, too.
+    constexpr std::size_t kPerPart = 2;
+    std::vector<std::size_t> chosen;
+    for (const std::size_t i : nearest_signatures(place.signature, signatures, signatures.size())) {
+      const std::size_t other = admitted[i];
+      const auto num_beside = std::count_if(chosen.begin(), chosen.end(), [&](std::size_t k) {
+        return std::abs(track.way_m[k] - track.way_m[other]) < params.part_m;
+      });
+      if (static_cast<std::size_t>(num_beside) >= kPerPart) continue;
+      sample.add(other, place.keyframe);
+      chosen.push_back(other);
+      if (chosen.size() == num_alike) break;
+    }
+  }
+  return sample.in_order();
 }
 
 std::vector<AuditPair> sampled_pairs(const AuditedTrack& track,

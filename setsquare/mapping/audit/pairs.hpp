@@ -29,6 +29,7 @@ struct AuditedTrack {
   std::vector<Pose2> T_map_sensor;
   std::vector<double> way_m;          ///< Travelled from the first to each, by the map.
   std::vector<double> open_m2;        ///< Variance of that which the map admits.
+  std::vector<bool> is_open;          ///< Whether the walls left a direction open there.
   std::vector<AuditPair> breaks;      ///< Neither side is in a stretch that tracking did not hold.
   std::vector<std::size_t> losses;    ///< Keyframes before which tracking had lost a scan.
   std::vector<std::size_t> restarts;  ///< Keyframes at which tracking began anew: any turn is open.
@@ -54,6 +55,19 @@ struct AuditedPlace {
 [[nodiscard]] std::vector<AuditPair> sampled_pairs(const AuditedTrack& track,
                                                    std::span<const AuditedPlace> places,
                                                    const AuditParams& params);
+
+/// Places that tell where they are, at even intervals over them, at most `max_num`: none where the
+/// walls leave a direction open.
+[[nodiscard]] std::vector<std::size_t> telling_places(const AuditedTrack& track,
+                                                      std::size_t max_num);
+
+/// Pairs of places that may be one, for all that is known of the way between them: behind open
+/// stretches, as far apart as these may be off, the `num_alike` that look most alike for each
+/// place.
+[[nodiscard]] std::vector<AuditPair> pairs_within_spread(const AuditedTrack& track,
+                                                         std::span<const AuditedPlace> places,
+                                                         const AuditParams& params,
+                                                         std::size_t num_alike);
 
 /// Pairs about one that contradicts the map: what they say seconds it, or does not.
 [[nodiscard]] std::vector<AuditPair> pairs_about(const AuditedTrack& track, const AuditPair& pair);

@@ -66,15 +66,17 @@ void ClosureCandidateParams::validate() const {
     throw ParameterError("candidates.max_window_m", "must not be below window_m");
   }
   require_not_negative(slip_way, "candidates.slip_way");
+  require_not_negative(max_sigmas_open, "candidates.max_sigmas_open");
   require_positive(closure_way_m, "candidates.closure_way_m");
 }
 
-void ClosureCandidates::add_station(double way_m, std::size_t piece) {
+void ClosureCandidates::add_station(double way_m, std::size_t piece, double open_m2) {
   const std::size_t station = links_.size();
   const bool is_new_piece = !pieces_.empty() && piece != pieces_.back();
   pieces_.push_back(piece);
   while (joined_pieces_.size() <= piece) joined_pieces_.push_back(joined_pieces_.size());
   links_.emplace_back();
+  open_m2_.push_back(open_m2);
   way_from_start_m_.push_back(station == 0 ? 0.0 : way_from_start_m_.back() + way_m);
   if (station == 0 || is_new_piece) return;
   links_[station].push_back({station - 1, way_m});
@@ -103,9 +105,11 @@ std::vector<ClosureCandidate> ClosureCandidates::find(
     const auto consider = [&](std::size_t reference) {
       if (way_from_start_m_[current] - way_from_start_m_[reference] < params_.min_way_m) return;
       if (joined_pieces_[pieces_[current]] != joined_pieces_[pieces_[reference]]) return;
-      const double window_m =
-          std::min(params_.max_window_m,
-                   params_.window_m + params_.window_per_metre * ways.way_m(reference));
+      const double wanted_m = params_.window_m + params_.window_per_metre * ways.way_m(reference);
+      const double open_m =
+          params_.max_sigmas_open * std::sqrt(open_m2_[current] - open_m2_[reference]);
+      if (wanted_m > params_.max_window_m && open_m > params_.max_window_m) return;
+      const double window_m = std::min(params_.max_window_m, wanted_m);
       const double distance_m = (positions_m[current] - positions_m[reference]).norm();
       if (distance_m > params_.radius_m + window_m) return;
       near.push_back({distance_m + window_m, {reference, current, window_m}});

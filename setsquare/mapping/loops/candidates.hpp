@@ -62,15 +62,18 @@ struct ClosureCandidate {
 
 /// Proposes where loops may close, by position and by how uncertain it is: the window about an
 /// expected position grows with the way back to there, along the track and over the closures that
-/// were accepted. The cost of a station depends on its surroundings, not on the size of the map.
+/// were accepted. Behind open stretches the place may lie beyond any window, and what is found in
+/// it may be its twin: such stations are not compared until closures_anywhere has tied them. The
+/// cost of a station depends on its surroundings, not on the size of the map.
 class ClosureCandidates {
  public:
   explicit ClosureCandidates(const ClosureCandidateParams& params) : params_(params) {}
 
   /// The next station along the track; `way_m` from the one before: its length and slip_way times
   /// its possible slip. `piece`: of the track; stations of different pieces are compared
-  /// once a link joins these.
-  void add_station(double way_m, std::size_t piece = 0);
+  /// once a link joins these. `open_m2`: variance that open stretches add to its position, from the
+  /// first station on.
+  void add_station(double way_m, std::size_t piece = 0, double open_m2 = 0.0);
 
   /// A closure that binds both axes was accepted between two stations.
   void link(std::size_t a, std::size_t b);
@@ -90,6 +93,7 @@ class ClosureCandidates {
   ClosureCandidateParams params_;
   std::vector<std::vector<Link>> links_;
   std::vector<double> way_from_start_m_;
+  std::vector<double> open_m2_;             ///< Of each station.
   std::vector<std::size_t> pieces_;         ///< Of each station.
   std::vector<std::size_t> joined_pieces_;  ///< Of each piece: the lowest one joined to it.
 };

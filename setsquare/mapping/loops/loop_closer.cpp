@@ -27,6 +27,23 @@ double way_between(const KeyframeTrack& track,
   return way_m;
 }
 
+/// Variance that open stretches add to the position of each keyframe, from the first on: over one
+/// stretch sigmas add up.
+std::vector<double> open_m2_of(const KeyframeTrack& track, std::size_t num_keyframes) {
+  std::vector<double> open_m2(num_keyframes, 0.0);
+  double before_m2 = 0.0;
+  double stretch_m = 0.0;
+  for (std::size_t k = 1; k < num_keyframes; ++k) {
+    if (track.motions[k].open_stretch != track.motions[k - 1].open_stretch) {
+      before_m2 += stretch_m * stretch_m;
+      stretch_m = 0.0;
+    }
+    stretch_m += track.motions[k].open_sigma_m.trace();
+    open_m2[k] = before_m2 + stretch_m * stretch_m;
+  }
+  return open_m2;
+}
+
 }  // namespace
 
 void LoopCloserParams::validate() const {
@@ -57,10 +74,11 @@ void LoopCloser::add_stations(const KeyframeTrack& track, std::size_t num_keyfra
   const std::size_t spacing = params_.station_spacing * num_scanners;
   const std::size_t half_width = params_.submap_half_width * num_scanners;
   std::size_t next = stations_.empty() ? spacing : stations_.back() + spacing;
+  const std::vector<double> open_m2 = open_m2_of(track, num_keyframes);
   for (; next + half_width < num_keyframes; next += spacing) {
     const std::size_t before = stations_.empty() ? next : stations_.back();
-    candidates_.add_station(way_between(track, before, next, params_.candidates),
-                            track.pieces[next]);
+    candidates_.add_station(
+        way_between(track, before, next, params_.candidates), track.pieces[next], open_m2[next]);
     stations_.push_back(next);
   }
   std::erase_if(joints_to_link_, [&](const auto& joint) {

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/audit/seen_through.hpp"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+#include "setsquare/core/parallel.hpp"
+#include "setsquare/mapping/loops/candidates.hpp"
+#include "setsquare/surfaces/angle_histogram.hpp"
+#include "setsquare/tracking/submap_alignment.hpp"
+
+namespace setsquare {
+namespace {
+
+/// Scans from farther apart hardly see each other's walls whole.
+constexpr double kNear_m = 2.0;
+/// Nearer along the track is the same pass.
+constexpr double kSamePass_m = 8.0;
+/// Scans of other passes that a keyframe is compared with.
+constexpr std::size_t kMaxNumPasses = 4;
+constexpr std::size_t kNumSamples = 120;
+/// A pair of scans with fewer points that can be judged tells nothing ...
+constexpr double kMinJudged = 30.0;
+/// ... and one with a larger share contradicted is of two places.
+constexpr double kMaxContradicted = 0.35;
+constexpr AlignmentScale kScale{.gate_m = 0.30, .scale_m = 0.15};
+
+std::vector<double> ways_of(const KeyframeTrack& track) {
+  std::vector<double> way_m(track.size(), 0.0);
+  for (std::size_t k = 1; k < track.size(); ++k) {
+    const Pose2 moved =
+        track.keyframes[k - 1]->T_odom_body.inverse() * track.keyframes[k]->T_odom_body;
+    way_m[k] = way_m[k - 1] + std::hypot(moved.x_m, moved.y_m);
+  }
+  return way_m;
+}
+
+/// The nearest earlier keyframe of each pass near by.
+std::vector<std::size_t> other_passes(std::size_t keyframe,
+                                      std::span<const Pose2> T_map_sensor,
+                                      const std::vector<double>& way_m,
+                                      const PositionHash& places) {
+  const Eigen::Vector2d here = T_map_sensor[keyframe].translation();
+  std::vector<std::pair<double, std::size_t>> near;
+  places.visit(here, kNear_m, [&](std::size_t other) {
+    const double apart_m = (T_map_sensor[other].translation() - here).norm();
+    if (other < keyframe && apart_m < kNear_m) near.emplace_back(apart_m, other);
+  });
+  std::sort(near.begin(), near.end());
+  std::vector<std::size_t> passes = {keyframe};
+  for (const auto& [apart_m, other] : near) {
+    const bool is_new = std::all_of(passes.begin(), passes.end(), [&](std::size_t pass) {
+      return std::abs(way_m[pass] - way_m[other]) > kSamePass_m;
+    });
+    if (is_new) passes.push_back(other);
+    if (passes.size() > kMaxNumPasses) break;
+  }
+  passes.erase(passes.begin());
+  return passes;
+}
+
+bool is_seen_through(const SurfaceSamples& points,
+                     const Keyframe& by,
+                     const Pose2& T_by_points,
+                     PointMarks& marks) {
+  const PlacedImage image{&by.image(), {}};
+  const SubmapAlignment fit = align_with_submap({&image, 1}, points, T_by_points, kScale, marks);
+  const double num_judged = fit.num_explained + fit.num_contradicted;
+  return num_judged >= kMinJudged && fit.num_contradicted > kMaxContradicted * num_judged;
+}
+
+}  // namespace
+
+std::size_t num_seen_through(const KeyframeTrack& track,
+                             std::span<const Pose2> T_map_sensor,
+                             std::size_t num_threads) {
+  assert(T_map_sensor.size() == track.size());
+  const std::vector<double> way_m = ways_of(track);
+  PositionHash places(kNear_m);
+  for (std::size_t k = 0; k < track.size(); ++k) places.add(T_map_sensor[k].translation(), k);
+  std::vector<unsigned char> is_contradicted(track.size(), 0);
+  run_in_parallel(track.size(), num_threads, [&](std::size_t k) {
+    const SurfacePoints& all = track.keyframes[k]->points();
+    const auto passes = other_passes(k, T_map_sensor, way_m, places);
+    if (passes.empty() || all.size() == 0) return;
+    const SurfaceSamples points =
+        sample_surface(all, direction_balanced_weights(all, angle_histogram(all)), kNumSamples);
+    PointMarks marks;
+    for (const std::size_t by : passes) {
+      const Pose2 T_by_points = T_map_sensor[by].inverse() * T_map_sensor[k];
+      if (is_seen_through(points, *track.keyframes[by], T_by_points, marks)) {
+        is_contradicted[k] = 1;
+      }
+    }
+  });
+  return static_cast<std::size_t>(
+      std::count(is_contradicted.begin(), is_contradicted.end(), std::uint8_t{1}));
+}
+
+}  // namespace setsquare

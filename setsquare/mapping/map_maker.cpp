@@ -1,0 +1,243 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/map_maker.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "setsquare/graph/linear_pose_graph.hpp"
+#include "setsquare/graph/robust_pose_graph.hpp"
+#include "setsquare/mapping/audit/closures_anywhere.hpp"
+#include "setsquare/mapping/audit/seen_through.hpp"
+#include "setsquare/mapping/open_spread.hpp"
+#include "setsquare/mapping/registration.hpp"
+#include "setsquare/mapping/track_certainty.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A closure of less weight does not establish that two scans see the same place.
+constexpr double kMinRevisitWeight = 0.5;
+/// Tracked motion is made of the scans that registration compares again.
+constexpr double kTrackedMotionWeight = 0.05;
+/// Of the rotation between two pieces that were joined, by matches of scans.
+constexpr double kJointSigma_rad = rad_from_deg(3.0);
+
+/// What the walls measured of the headings, in the map frame.
+std::vector<HeadingMeasurement> heading_measurements(const FusedHeadings& headings) {
+  std::vector<HeadingMeasurement> measurements;
+  for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
+    if (!(headings.measured_information[k] > 0.0)) continue;
+    measurements.push_back(
+        {k, wrap_to_pi(headings.measured_heading_rad[k]), headings.measured_information[k]});
+  }
+  return measurements;
+}
+
+/// The evidence with what the joints add to it: pieces that were joined are turned as a whole, and
+/// the rotation from one to the next is known again. Pieces in between that were not joined are
+/// left out of the map; of the building's walls they say nothing, for nobody knows how they lie.
+std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evidence,
+                                                const KeyframeTrack& track,
+                                                const JoinedPieces& joined) {
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    const std::size_t piece = track.pieces[k];
+    evidence[k].tracked_heading_rad += joined.turn_rad[piece];
+    if (!joined.is_joined[piece]) evidence[k].proposals.clear();
+    const bool is_begin = k > 0 && track.pieces[k - 1] != piece;
+    if (is_begin) evidence[k].step_sigma_rad = kJointSigma_rad;
+  }
+  return evidence;
+}
+
+/// The track laid out along its headings, with the closures accepted so far; the source of a
+/// closure's constraint is its index in LoopCloser::compared().
+PoseGraph graph_along(const KeyframeTrack& track,
+                      std::span<const double> headings_rad,
+                      const LoopCloser& closer) {
+  PoseGraph graph = pose_graph_of(track, headings_rad);
+  const std::vector<ComparedPlaces>& compared = closer.compared();
+  for (std::size_t i = 0; i < compared.size(); ++i) {
+    if (!is_accepted(compared[i].verdict.reason)) continue;
+    graph.constraints.push_back(closure_constraint(compared[i]));
+    graph.constraints.back().source = i;
+  }
+  return graph;
+}
+
+}  // namespace
+
+void close_loops(const KeyframeTrack& track,
+                 std::span<const double> headings_rad,
+                 std::size_t num_keyframes,
+                 const MapperParams& params,
+                 LoopCloser& closer) {
+  PoseGraph graph = graph_along(track, headings_rad, closer);
+  loosen_across(track.size() - 1, false, graph);
+  const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
+  for (std::size_t k = 0; k < positions_m.size(); ++k) {
+    graph.T_map_node[k].x_m = positions_m[k].x();
+    graph.T_map_node[k].y_m = positions_m[k].y();
+  }
+  closer.extend(track, num_keyframes, graph.T_map_node, params.num_threads);
+}
+
+std::size_t next_closing(std::size_t num_closed, const MapperParams& params) {
+  const auto growth =
+      static_cast<std::size_t>(params.closing_growth * static_cast<double>(num_closed));
+  return num_closed + std::max(params.min_closing_growth, growth);
+}
+
+Map MapMaker::make() const {
+  Closed closed = log_.track.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
+  Map map = map_of(closed);
+  if (params_.anywhere.is_on) close_anywhere(closed, map);
+  if (params_.audit.is_on) audit_and_mend(closed, map);
+  return map;
+}
+
+MapMaker::Closed MapMaker::close_one_piece() const {
+  TurnChecks checks = log_.turn_checks;
+  Closed closed{.headings = checks.fuse(log_.track, log_.evidence, params_.heading),
+                .closer = log_.closer,
+                .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}}};
+  close_loops(log_.track, closed.headings.heading_rad, log_.track.size(), params_, closed.closer);
+  return closed;
+}
+
+MapMaker::Closed MapMaker::close_across_pieces() const {
+  TurnChecks checks = log_.turn_checks;
+  const FusedHeadings apart = checks.fuse(log_.track, log_.evidence, params_.heading);
+  const PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
+  JoinedPieces joined = join_pieces(
+      log_.track, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
+  Closed closed{
+      .headings = checks.fuse(
+          log_.track, evidence_of_joined(log_.evidence, log_.track, joined), params_.heading),
+      .closer = LoopCloser(params_.closing),
+      .joined = std::move(joined)};
+  closed.closer.add_joints(closed.joined.joints);
+  close_all_loops(closed);
+  return closed;
+}
+
+Map MapMaker::map_of(const Closed& closed) const {
+  PoseGraph graph = graph_along(log_.track, closed.headings.heading_rad, closed.closer);
+  graph.headings = heading_measurements(closed.headings);
+  if (log_.track.size() > 1) {
+    loosen_across(log_.track.size() - 1, true, graph);
+    solve_robustly(graph, {}, params_.robust);
+    graph.T_map_node = registered_poses(closed.closer, graph);
+  }
+  // Errors of neighbours are correlated: num_alike measurements have the information of one.
+  // Registration takes each as independent, which serves the poses; covariances come from this
+  // graph.
+  for (HeadingMeasurement& heading : graph.headings) {
+    heading.information_per_rad2 /= params_.heading.num_alike;
+  }
+  Map map = assemble_map({.scans = log_.scans,
+                          .kept_scans = log_.kept_scans,
+                          .track = log_.track,
+                          .headings = closed.headings,
+                          .compared = closed.closer.compared(),
+                          .is_joined = closed.joined.is_joined,
+                          .graph = graph});
+  log_.add_sensors(map);
+  add_certainty(map, params_.motion);
+  return map;
+}
+
+std::vector<ScanSurfacesPtr> MapMaker::surfaces() const {
+  std::vector<ScanSurfacesPtr> surfaces;
+  surfaces.reserve(log_.track.size());
+  for (const KeyframePtr& keyframe : log_.track.keyframes) surfaces.push_back(keyframe->surfaces);
+  return surfaces;
+}
+
+std::size_t MapMaker::num_seen_through_in(const Map& map) const {
+  std::vector<Pose2> T_map_sensor;
+  for (const std::size_t scan : map.keyframes) T_map_sensor.push_back(map.scans[scan].T_map_sensor);
+  return num_seen_through(log_.track, T_map_sensor, params_.num_threads);
+}
+
+void MapMaker::close_anywhere(Closed& closed, Map& map) const {
+  for (int round = 0; round < params_.anywhere.max_rounds; ++round) {
+    const std::vector<MapHypothesis> told =
+        closures_anywhere(map, surfaces(), params_.anywhere, params_.audit, params_.num_threads);
+    if (told.empty()) return;
+    Closed again = closed_with(closed, told);
+    Map closed_map = map_of(again);
+    if (!has_kept(closed_map, told, params_.anywhere, params_.audit)) return;
+    if (num_seen_through_in(closed_map) >
+        num_seen_through_in(map) + params_.anywhere.max_seen_through)
+      return;
+    closed = std::move(again);
+    map = std::move(closed_map);
+  }
+}
+
+void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
+  const std::vector<ScanSurfacesPtr> of_keyframes = surfaces();
+  const auto audited = [&](const Map& audited_map) {
+    return audit(audited_map, of_keyframes, params_.audit, params_.num_threads);
+  };
+  AuditFindings findings = audited(map);
+  for (int round = 0; round < params_.audit.max_mendings; ++round) {
+    const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
+    if (hypotheses.empty()) break;
+    Closed mended = closed_with(closed, hypotheses);
+    Map mended_map = map_of(mended);
+    AuditFindings of_mended = audited(mended_map);
+    if (!explains_more(of_mended.report, findings.report)) break;
+    closed = std::move(mended);
+    map = std::move(mended_map);
+    findings = std::move(of_mended);
+  }
+  add_findings(findings, params_.audit, map);
+}
+
+MapMaker::Closed MapMaker::closed_with(const Closed& closed,
+                                       const std::vector<MapHypothesis>& hypotheses) const {
+  Closed mended{
+      .headings = closed.headings, .closer = LoopCloser(params_.closing), .joined = closed.joined};
+  for (const MapHypothesis& hypothesis : hypotheses) {
+    mended.joined.joints.push_back(matched_places(hypothesis.keyframe_from,
+                                                  hypothesis.keyframe_to,
+                                                  hypothesis.T_from_to,
+                                                  hypothesis.information));
+  }
+  mended.closer.add_joints(mended.joined.joints);
+  close_all_loops(mended);
+  return mended;
+}
+
+void MapMaker::close_all_loops(Closed& closed) const {
+  for (std::size_t end = 0; end < log_.track.size();) {
+    end = std::min(next_closing(end, params_), log_.track.size());
+    close_loops(log_.track, closed.headings.heading_rad, end, params_, closed.closer);
+  }
+}
+
+std::vector<Pose2> MapMaker::registered_poses(const LoopCloser& closer,
+                                              const PoseGraph& graph) const {
+  // Registration compares the places that closures name again. Apart from its own comparisons
+  // it gives little weight to the tracked motion, which is made of the same scans, and to the other
+  // closures.
+  PoseGraph to_register{
+      .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
+  std::vector<Constraint> revisits;
+  for (const Constraint& constraint : graph.constraints) {
+    const bool is_closure = constraint.kind == ConstraintKind::kLoopClosure;
+    if (is_closure && constraint.weight >= kMinRevisitWeight &&
+        closer.compared()[constraint.source].verdict.axes == ClosureAxes::kXY) {
+      revisits.push_back(constraint);
+      continue;
+    }
+    to_register.constraints.push_back(constraint);
+    if (!is_closure) to_register.constraints.back().weight *= kTrackedMotionWeight;
+  }
+  register_keyframes(log_.track, revisits, to_register, params_.registration, params_.num_threads);
+  return std::move(to_register.T_map_node);
+}
+
+}  // namespace setsquare

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// Apart from mapper, its only caller, which gathers what is tracked.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "setsquare/mapping/audit/audit.hpp"
+#include "setsquare/mapping/loops/loop_closer.hpp"
+#include "setsquare/mapping/map_assembly.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/pieces/piece_joining.hpp"
+#include "setsquare/mapping/turn_checks.hpp"
+
+namespace setsquare {
+
+/// Closes loops of a track's first keyframes while it grows.
+///
+/// 1. The track is laid out along its headings, with the closures accepted so far, and positions
+///    are solved.
+/// 2. The places of the first `num_keyframes` that the closer has not seen are compared with those
+///    near by.
+void close_loops(const KeyframeTrack& track,
+                 std::span<const double> headings_rad,
+                 std::size_t num_keyframes,
+                 const MapperParams& params,
+                 LoopCloser& closer);
+
+/// Keyframes at which loops are looked for again.
+[[nodiscard]] std::size_t next_closing(std::size_t num_closed, const MapperParams& params);
+
+/// What was tracked and found on the way, of which a map is made. Everything must outlive the maker
+/// of the map.
+struct TrackedLog {
+  std::span<const TrackedScan> scans;
+  std::span<const KeptScan> kept_scans;
+  const KeyframeTrack& track;
+  const std::vector<HeadingEvidence>& evidence;  ///< One per keyframe.
+  const TurnChecks& turn_checks;                 ///< As far as turns have been checked.
+  const LoopCloser& closer;                      ///< As far as loops have been closed.
+  std::function<void(Map&)> add_sensors;         ///< Writes what the sensors turned out to be.
+};
+
+/// Makes the map of a track.
+///
+/// 1. Pieces of track between which tracking was lost are joined where they overlap (join_pieces),
+///    and the loops that are left are closed.
+/// 2. Weights of the closures by graduated non-convexity (solve_robustly), all keyframes registered
+///    with their neighbours (register_keyframes), scans laid out between them (assemble_map).
+/// 3. The map is audited; where scans contradict it alike, its loops are closed again by them.
+class MapMaker {
+ public:
+  MapMaker(const TrackedLog& log, const MapperParams& params) : log_(log), params_(params) {}
+
+  [[nodiscard]] Map make() const;
+
+ private:
+  /// The headings and loops of the whole track.
+  struct Closed {
+    FusedHeadings headings;
+    LoopCloser closer;
+    JoinedPieces joined;
+  };
+
+  /// Tracks of one piece: the loops that are left to close.
+  [[nodiscard]] Closed close_one_piece() const;
+  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops again.
+  [[nodiscard]] Closed close_across_pieces() const;
+  /// From the first keyframe on, as the track grows.
+  void close_all_loops(Closed& closed) const;
+  /// All loops closed again, with those that the hypotheses tell.
+  [[nodiscard]] Closed closed_with(const Closed& closed,
+                                   const std::vector<MapHypothesis>& hypotheses) const;
+  /// The map by the loops that were closed.
+  [[nodiscard]] Map map_of(const Closed& closed) const;
+  /// The graph's poses after registration of all keyframes.
+  [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
+                                                    const PoseGraph& graph) const;
+  /// Closes loops behind open stretches, wherever they are (closures_anywhere).
+  void close_anywhere(Closed& closed, Map& map) const;
+  /// Matches scans of the map, and where they contradict it alike closes the loops again by them;
+  /// the new map stays if it explains more of all matches. Then the doubts that are left.
+  void audit_and_mend(Closed& closed, Map& map) const;
+
+  /// Keyframes that the map contradicts.
+  [[nodiscard]] std::size_t num_seen_through_in(const Map& map) const;
+  /// Of the track's keyframes.
+  [[nodiscard]] std::vector<ScanSurfacesPtr> surfaces() const;
+
+  const TrackedLog& log_;
+  const MapperParams& params_;
+};
+
+}  // namespace setsquare
