@@ -36,7 +36,7 @@ endif()
 string(TIMESTAMP package_date "%a, %d %b %Y 00:00:00 +0000" UTC)
 set(package_copyright "${PROJECT_BINARY_DIR}/packages/copyright")
 configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/copyright" "${package_copyright}" COPYONLY)
-configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/changelog.in"
+configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/changelog"
                "${PROJECT_BINARY_DIR}/packages/changelog" @ONLY)
 execute_process(COMMAND gzip -9 -n -k -f "${PROJECT_BINARY_DIR}/packages/changelog")
 foreach(pair IN ITEMS command=setsquare library=libsetsquare-dev python=python3-setsquare)
