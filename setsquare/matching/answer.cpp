@@ -164,7 +164,7 @@ Belief believe(const PreparedScan& reference,
                      .distinct_wall_m = measured.distinct_wall_m};
   // Aliases make a probable answer doubtful; of another nothing is lost.
   constexpr double kProbable = 0.5;
-  if (match_probability(belief.evidence) > kProbable) {
+  if (params.alias.is_on && match_probability(belief.evidence) > kProbable) {
     belief.aliases =
         find_aliases(reference, current, candidates, measured.kinds.tight_m, params.alias);
   }

@@ -83,6 +83,7 @@ struct DistinctWallParams {
 
 /// When a motion is an alias: the place looks the same under it (find_aliases).
 struct AliasParams {
+  bool is_on = true;  ///< Off where the place is known: only motions of a moment are in question.
   double min_share = 0.4;            ///< Of the answer's closely agreeing wall, at the other pose.
   double max_contradiction_m = 3.0;  ///< By this much more may be contradicted there.
   double min_constraint_m = 1.0;     ///< Wall that must hold the open direction, each time ...

@@ -6,21 +6,13 @@
 #include <cmath>
 
 #include "setsquare/matching/scan_matcher.hpp"
+#include "setsquare/tracking/known_place.hpp"
 
 namespace setsquare {
 namespace {
 
 constexpr double kAloneWeight = 1.0;
 constexpr double kAmbiguousWeight = 0.5;
-
-/// For scans of which one was taken moments before the other: what would fit a corner of any
-/// building fits this one.
-MatchParams params_of_moments_apart() {
-  MatchParams params;
-  params.answer.min_distinct_m = 0.0;
-  params.answer.clear_distinct_m = 0.0;
-  return params;
-}
 
 bool is_within(const ExpectedStep& step, const Pose2& place) {
   const Pose2 off = step.T_odom_sensor.inverse() * place;
@@ -49,7 +41,7 @@ bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params
 std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
                                    const PreparedScan& current,
                                    const PlaceVoteParams& params) {
-  const MatchParams match_params = params_of_moments_apart();
+  const MatchParams match_params = params_of_a_known_place();
   std::vector<PlaceVote> votes;
   const std::size_t num_asked = std::min(params.num_keyframes, keyframes.size());
   for (std::size_t age = 0; age < num_asked && !has_two_alike(votes, params); ++age) {

@@ -7,6 +7,7 @@
 
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
+#include "setsquare/tracking/known_place.hpp"
 
 namespace setsquare {
 namespace {
@@ -14,14 +15,6 @@ namespace {
 bool is_far_from(const Pose2& expected, const Pose2& found, const RecoveryParams& params) {
   const Pose2 off = expected.inverse() * found;
   return std::hypot(off.x_m, off.y_m) > params.near_m || std::abs(off.theta_rad) > params.near_rad;
-}
-
-/// The robot was here a moment ago: what would fit a corner of any building fits this one.
-MatchParams params_of_a_known_place() {
-  MatchParams params;
-  params.answer.min_distinct_m = 0.0;
-  params.answer.clear_distinct_m = 0.0;
-  return params;
 }
 
 }  // namespace
