@@ -35,6 +35,15 @@ bool is_of_sensor(const std::string& pose_of) {
   return pose_of == "sensor";
 }
 
+std::string path_from(const pybind11::object& path) {
+  const pybind11::object bytes = pybind11::module_::import("os").attr("fsencode")(path);
+  auto text = bytes.cast<std::string>();
+  if (text.find('\0') != std::string::npos) {
+    throw pybind11::value_error("a path must not contain a zero byte");
+  }
+  return text;
+}
+
 int threads_from(int num_threads) {
   if (num_threads < 0) throw ParameterError("num_threads", "must not be negative");
   return num_threads > 0 ? num_threads

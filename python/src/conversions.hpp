@@ -53,6 +53,10 @@ template <typename Value>
 /// "base" or "sensor". Throws ParameterError.
 [[nodiscard]] bool is_of_sensor(const std::string& pose_of);
 
+/// A path (text, bytes or os.PathLike) as the system spells it. Throws ValueError where a zero byte
+/// would cut it short.
+[[nodiscard]] std::string path_from(const pybind11::object& path);
+
 /// As many threads as processors where the number is 0. Throws ParameterError below that.
 [[nodiscard]] int threads_from(int num_threads);
 

@@ -5,6 +5,7 @@
 #include <pybind11/stl.h>
 
 #include "python/src/bindings.hpp"
+#include "python/src/conversions.hpp"
 #include "python/src/trajectories.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/eval/evaluate.hpp"
@@ -92,8 +93,8 @@ void bind_relations(py::module_& module) {
       });
   module.def(
       "evaluate_relations",
-      [](const TrajectoryArrays& trajectory, const std::string& path) {
-        return evaluate(trajectory.poses, read_relations(path));
+      [](const TrajectoryArrays& trajectory, const py::object& path) {
+        return evaluate(trajectory.poses, read_relations(path_from(path)));
       },
       py::arg("trajectory"),
       py::arg("path"),

@@ -5,6 +5,8 @@
 #include <pybind11/stl.h>
 
 #include <memory>
+#include <mutex>
+#include <optional>
 
 #include "python/src/bindings.hpp"
 #include "python/src/conversions.hpp"
@@ -37,11 +39,33 @@ std::string name_of(RecordKind kind) {
   return {};
 }
 
-PyRecord record_of_next(LogReader& reader) {
-  const LogRecord* next = without_gil([&] { return reader.next(); });
-  if (next == nullptr) throw py::stop_iteration();
-  PyRecord made{*next, nullptr};
-  if (next->kind == RecordKind::kScan)
+/// A reader that several threads may use: each record goes to one of them.
+class PyReader {
+ public:
+  explicit PyReader(std::unique_ptr<LogReader> reader) : reader_(std::move(reader)) {}
+
+  /// Calls `function` with the reader while no other thread does, with Python's interpreter free.
+  template <typename Function>
+  auto with(Function function) {
+    return without_gil([&] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return function(*reader_);
+    });
+  }
+
+ private:
+  std::mutex mutex_;
+  std::unique_ptr<LogReader> reader_;
+};
+
+PyRecord record_of_next(PyReader& self) {
+  std::optional<LogRecord> next = self.with([](LogReader& reader) {
+    const LogRecord* record = reader.next();
+    return record == nullptr ? std::nullopt : std::optional<LogRecord>(*record);
+  });
+  if (!next) throw py::stop_iteration();
+  PyRecord made{std::move(*next), nullptr};
+  if (made.record.kind == RecordKind::kScan)
     made.scan = std::make_shared<Scan>(std::move(made.record.scan));
   return made;
 }
@@ -84,70 +108,89 @@ void bind_record(py::module_& module) {
       });
 }
 
+/// Throws TypeError for a name that is none, cast_error for a value of another type.
+void set_option(LogOptions& log, const std::string& name, const py::handle& value) {
+  const auto number = [&](double unit) { return unit * value.cast<double>(); };
+  if (name == "sensor")
+    log.sensor = value.cast<std::string>();
+  else if (name == "odometry_topic")
+    log.odometry_topic = value.cast<std::string>();
+  else if (name == "fov_deg")
+    log.field_of_view_rad = number(rad_from_deg(1.0));
+  else if (name == "bearing_step_deg")
+    log.bearing_step_rad = number(rad_from_deg(1.0));
+  else if (name == "max_range_m")
+    log.max_range_m = number(1.0);
+  else if (name == "range_scale")
+    log.range_scale = number(1.0);
+  else if (name == "ignored_ranges_m")
+    log.ignored_ranges_m = value.cast<std::vector<double>>();
+  else if (name == "mirror_scans")
+    log.mirrors_scans = value.cast<bool>();
+  else if (name == "sweep_time_s")
+    log.sweep_time_s = number(1.0);
+  else if (name == "from_s")
+    log.window.from_s = number(1.0);
+  else if (name == "to_s")
+    log.window.to_s = number(1.0);
+  else if (name == "max_rate_hz")
+    log.window.max_rate_hz = number(1.0);
+  else if (name == "mountings")
+    log.mountings = value.cast<std::map<std::string, Pose2>>();
+  else
+    throw py::type_error(fmt::format("unexpected keyword argument '{}'", name));
+}
+
 }  // namespace
 
 LogOptions log_options_from(const py::kwargs& options) {
   LogOptions log;
-  const auto number = [](const py::handle& value, double unit) {
-    return unit * value.cast<double>();
-  };
   for (const auto& [key, value] : options) {
     const auto name = key.cast<std::string>();
-    if (name == "sensor")
-      log.sensor = value.cast<std::string>();
-    else if (name == "odometry_topic")
-      log.odometry_topic = value.cast<std::string>();
-    else if (name == "fov_deg")
-      log.field_of_view_rad = number(value, rad_from_deg(1.0));
-    else if (name == "bearing_step_deg")
-      log.bearing_step_rad = number(value, rad_from_deg(1.0));
-    else if (name == "max_range_m")
-      log.max_range_m = number(value, 1.0);
-    else if (name == "range_scale")
-      log.range_scale = number(value, 1.0);
-    else if (name == "ignored_ranges_m")
-      log.ignored_ranges_m = value.cast<std::vector<double>>();
-    else if (name == "mirror_scans")
-      log.mirrors_scans = value.cast<bool>();
-    else if (name == "sweep_time_s")
-      log.sweep_time_s = number(value, 1.0);
-    else if (name == "from_s")
-      log.window.from_s = number(value, 1.0);
-    else if (name == "to_s")
-      log.window.to_s = number(value, 1.0);
-    else if (name == "max_rate_hz")
-      log.window.max_rate_hz = number(value, 1.0);
-    else if (name == "mountings")
-      log.mountings = value.cast<std::map<std::string, Pose2>>();
-    else
-      throw py::type_error(fmt::format("unexpected keyword argument '{}'", name));
+    try {
+      set_option(log, name, value);
+    } catch (const py::cast_error&) {
+      throw py::type_error(fmt::format("keyword argument '{}' has a value of a wrong type", name));
+    }
   }
   log.validate();
   return log;
 }
 
 std::vector<std::string> paths_from(const py::object& path) {
-  const py::object fspath = py::module_::import("os").attr("fspath");
   if (py::isinstance<py::list>(path) || py::isinstance<py::tuple>(path)) {
     std::vector<std::string> paths;
-    for (const py::handle one : path) paths.push_back(fspath(one).cast<std::string>());
+    for (const py::handle one : path)
+      paths.push_back(path_from(py::reinterpret_borrow<py::object>(one)));
     return paths;
   }
-  return {fspath(path).cast<std::string>()};
+  return {path_from(path)};
 }
 
 void bind_logs(py::module_& module) {
   bind_record(module);
-  py::class_<LogReader>(module, "LogReader", "Reads a log record by record, in bounded memory.")
+  py::class_<PyReader>(module, "LogReader", R"(Reads a log record by record, in bounded memory.
+
+Threads may share it: each record goes to one of them.)")
       .def("__iter__", [](const py::object& self) { return self; })
       .def("__next__", &record_of_next)
       .def_property_readonly(
-          "format", &LogReader::format, R"(What kind of log it is: "CARMEN log".)")
+          "format",
+          [](PyReader& self) {
+            return self.with([](LogReader& reader) { return reader.format(); });
+          },
+          R"(What kind of log it is: "CARMEN log".)")
       .def_property_readonly(
-          "front_sensor", &LogReader::front_sensor, "The laser that is read by default.")
+          "front_sensor",
+          [](PyReader& self) {
+            return self.with([](LogReader& reader) { return reader.front_sensor(); });
+          },
+          "The laser that is read by default.")
       .def_property_readonly(
           "problems",
-          [](const LogReader& reader) { return summary(reader.problems()); },
+          [](PyReader& self) {
+            return self.with([](LogReader& reader) { return summary(reader.problems()); });
+          },
           "Damaged records so far, in a sentence; empty where there is none.");
   module.def(
       "read_log",
@@ -155,7 +198,7 @@ void bind_logs(py::module_& module) {
         LogOptions log = log_options_from(options);
         log.scans_only = scans_only;
         const std::vector<std::string> paths = paths_from(path);
-        return without_gil([&] { return open_logs(paths, log); });
+        return std::make_unique<PyReader>(without_gil([&] { return open_logs(paths, log); }));
       },
       py::arg("path"),
       py::arg("scans_only") = true,

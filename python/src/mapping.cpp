@@ -6,6 +6,8 @@
 
 #include <chrono>
 #include <functional>
+#include <memory>
+#include <mutex>
 
 #include "python/src/bindings.hpp"
 #include "python/src/conversions.hpp"
@@ -64,11 +66,28 @@ PyMap map_log_of(const py::object& path,
       [&] { return map_logs(paths, options, {.on_progress = std::ref(watch), .on_stage = {}}); }))};
 }
 
-Mapper mapper_from(bool audit, int num_threads) {
+/// A mapper that several threads may use.
+struct PyMapper {
+  explicit PyMapper(const MapperParams& params) : mapper(params) {}
+
+  /// Calls `function` with the mapper while no other thread does, with Python's interpreter free.
+  template <typename Function>
+  auto with(Function function) {
+    return without_gil([&] {
+      const std::lock_guard<std::mutex> lock(mutex);
+      return function(mapper);
+    });
+  }
+
+  std::mutex mutex;
+  Mapper mapper;
+};
+
+std::unique_ptr<PyMapper> mapper_from(bool audit, int num_threads) {
   MapperParams params;
   params.audit.is_on = audit;
   params.num_threads = static_cast<std::size_t>(threads_from(num_threads));
-  return Mapper(params);
+  return std::make_unique<PyMapper>(params);
 }
 
 void bind_tracked_pose(py::module_& module) {
@@ -93,7 +112,7 @@ void bind_tracked_pose(py::module_& module) {
 }
 
 void bind_mapper(py::module_& module) {
-  py::class_<Mapper>(module, "Mapper", R"(Scans in, map out.
+  py::class_<PyMapper>(module, "Mapper", R"(Scans in, map out.
 
     mapper = Mapper()
     for record in read_log("intel.clf"):
@@ -101,19 +120,19 @@ void bind_mapper(py::module_& module) {
     map = mapper.finish()
 
 audit: match pairs of scans against the finished map. num_threads: 0 for all processors; any number
-gives the same map.)")
+gives the same map. Threads may share a mapper: they take turns.)")
       .def(py::init(&mapper_from),
            py::kw_only(),
            py::arg("audit") = true,
            py::arg("num_threads") = 0)
       .def(
           "add",
-          [](Mapper& self,
+          [](PyMapper& self,
              const py::object& scan,
              const std::optional<Pose2>& T_odom_base,
              const std::optional<double>& fov_deg) {
             const auto added = scan_from(scan, fov_deg);
-            return without_gil([&] { return self.add(*added, T_odom_base); });
+            return self.with([&](Mapper& mapper) { return mapper.add(*added, T_odom_base); });
           },
           py::arg("scan"),
           py::arg("T_odom_base") = py::none(),
@@ -125,11 +144,12 @@ scan: a Scan, or an array of ranges (N,) in m over fov_deg degrees (180). Return
 Raises ParameterError where the scan's geometry is not valid or a pose is not finite.)")
       .def(
           "add_turn_rate",
-          [](Mapper& self,
+          [](PyMapper& self,
              double turn_rad_per_s,
              double stamp_s,
              const std::optional<std::int64_t>& stamp_ns) {
-            self.add_turn_rate(stamp_from(stamp_s, stamp_ns), turn_rad_per_s);
+            const Timestamp stamp = stamp_from(stamp_s, stamp_ns);
+            self.with([&](Mapper& mapper) { mapper.add_turn_rate(stamp, turn_rad_per_s); });
           },
           py::arg("turn_rad_per_s"),
           py::kw_only(),
@@ -139,13 +159,15 @@ Raises ParameterError where the scan's geometry is not valid or a pose is not fi
           "scans.")
       .def(
           "finish",
-          [](const Mapper& self) {
+          [](PyMapper& self) {
             auto mapped = std::make_shared<MappedLog>();
-            mapped->map = without_gil([&] { return self.finish(); });
+            mapped->map = self.with([](Mapper& mapper) { return mapper.finish(); });
             return PyMap{std::move(mapped)};
           },
           "The Map of all scans so far; more may follow.")
-      .def("__len__", &Mapper::num_scans);
+      .def("__len__", [](PyMapper& self) {
+        return self.with([](Mapper& mapper) { return mapper.num_scans(); });
+      });
 }
 
 }  // namespace
@@ -170,7 +192,7 @@ preset: "default", or "paper" for the method of Bando et al. 2014.
 num_threads: 0 for all processors; any number gives the same map.
 progress: called a few times a second with the share of the log that has been read, 0 to 1, or None.
 
-Returns a Map. Other threads run meanwhile; Ctrl-C ends it. Raises FileError, FormatError,
+Returns a Map. Other threads run meanwhile; Ctrl-C ends it while the log is read. Raises FileError, FormatError,
 ParameterError.)");
 }
 

@@ -125,7 +125,7 @@ std::vector<std::string> save(const PyMap& self,
                               const py::object& folder,
                               const std::string& pose_of,
                               int num_threads) {
-  const auto path = py::module_::import("os").attr("fspath")(folder).cast<std::string>();
+  const std::string path = path_from(folder);
   SaveMapOptions options =
       save_options_of(*self.mapped, is_of_sensor(pose_of) ? PoseOf::kSensor : PoseOf::kBase);
   options.num_threads = threads_from(num_threads);

@@ -21,7 +21,11 @@ namespace {
 
 Pose2 pose_from_sequence(const py::sequence& values) {
   if (values.size() != 3) throw py::value_error("a pose has three numbers: x_m, y_m, theta_rad");
-  return {values[0].cast<double>(), values[1].cast<double>(), values[2].cast<double>()};
+  try {
+    return {values[0].cast<double>(), values[1].cast<double>(), values[2].cast<double>()};
+  } catch (const py::cast_error&) {
+    throw py::type_error("a pose has three numbers: x_m, y_m, theta_rad");
+  }
 }
 
 /// The points of shape (N, 2), or one of shape (2,), moved by a pose.
@@ -44,7 +48,7 @@ void bind_pose(py::module_& module) {
   py::class_<Pose2>(module, "Pose2", R"(A rigid motion of the plane.
 
 Named T_a_b it maps points of frame b into frame a, and is the pose of b in a; products chain:
-T_a_c = T_a_b * T_b_c. Wherever a pose is taken, three numbers (x_m, y_m, theta_rad) do as well.)")
+T_a_c = T_a_b * T_b_c. Its numbers do not change. Wherever a pose is taken, three numbers (x_m, y_m, theta_rad) do as well.)")
       .def(py::init([](double x_m, double y_m, double theta_rad) {
              return Pose2{x_m, y_m, theta_rad};
            }),
@@ -52,9 +56,9 @@ T_a_c = T_a_b * T_b_c. Wherever a pose is taken, three numbers (x_m, y_m, theta_
            py::arg("y_m") = 0.0,
            py::arg("theta_rad") = 0.0)
       .def(py::init(&pose_from_sequence), py::arg("values"), "From three numbers.")
-      .def_readwrite("x_m", &Pose2::x_m)
-      .def_readwrite("y_m", &Pose2::y_m)
-      .def_readwrite("theta_rad", &Pose2::theta_rad)
+      .def_readonly("x_m", &Pose2::x_m)
+      .def_readonly("y_m", &Pose2::y_m)
+      .def_readonly("theta_rad", &Pose2::theta_rad)
       .def_property_readonly(
           "theta_deg",
           [](const Pose2& pose) { return deg_from_rad(pose.theta_rad); },
@@ -94,13 +98,15 @@ void bind_trajectory(py::module_& module) {
 Raises ValueError where the shapes do not fit.)")
       .def_static(
           "read_tum",
-          [](const std::string& path) { return TrajectoryArrays{read_trajectory_tum(path)}; },
+          [](const py::object& path) {
+            return TrajectoryArrays{read_trajectory_tum(path_from(path))};
+          },
           py::arg("path"),
           "Reads a file in the TUM format, as evo writes it. Raises FileError, FormatError.")
       .def(
           "save_tum",
-          [](const TrajectoryArrays& self, const std::string& path) {
-            write_trajectory_tum(path, self.poses);
+          [](const TrajectoryArrays& self, const py::object& path) {
+            write_trajectory_tum(path_from(path), self.poses);
           },
           py::arg("path"),
           "Writes the TUM format: stamp x y z qx qy qz qw, a line a pose. Raises FileError.")

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Setsquare authors
 # SPDX-License-Identifier: Apache-2.0
 import subprocess
+import threading
 
 import numpy as np
 import pytest
@@ -44,6 +45,35 @@ def test_scan_by_scan_gives_the_same(log, mapped):
     again = mapper.finish()
     assert np.array_equal(again.scans, mapped.scans)
     assert np.array_equal(again.graph.nodes, mapped.graph.nodes)
+
+
+def in_threads(work, num_threads=4):
+    threads = [threading.Thread(target=work) for _ in range(num_threads)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+
+
+def test_threads_share_a_reader(log):
+    expected = [record.stamp_ns for record in setsquare.read_log(log)]
+    reader, found = setsquare.read_log(log), []
+
+    def work():
+        for record in reader:
+            found.append(record.stamp_ns)
+            assert reader.problems == "" and reader.format
+
+    in_threads(work)
+    assert sorted(found) == sorted(expected)
+
+
+def test_threads_share_a_mapper(log):
+    scans = [record.scan for record in setsquare.read_log(log)][:10]
+    mapper = setsquare.Mapper(audit=False, num_threads=1)
+    in_threads(lambda: [mapper.add(scan) for scan in scans])
+    assert len(mapper) == 4 * len(scans)
+    assert len(mapper.finish()) == len(mapper)
 
 
 def test_arrays_fit_together(mapped):
@@ -94,11 +124,19 @@ def test_errors_have_the_commands_words(tmp_path):
         setsquare.map_log(tmp_path / "absent.clf")
     with pytest.raises(OSError):
         setsquare.read_log(tmp_path / "absent.clf")
+    for read in (setsquare.read_log, setsquare.map_log):
+        with pytest.raises(setsquare.ParameterError, match="must name a log"):
+            read([])
+    with pytest.raises(ValueError, match="zero byte"):
+        setsquare.read_log("absent.clf\0.txt")
     (tmp_path / "empty.clf").write_text("")
     with pytest.raises(setsquare.FormatError):
         list(setsquare.read_log(tmp_path / "empty.clf"))
     with pytest.raises(TypeError, match="colour"):
         setsquare.read_log(tmp_path / "empty.clf", colour="blue")
+    for wrong in ({"sensor": None}, {"fov_deg": "wide"}, {"mountings": {"FLASER": (1, 2)}}):
+        with pytest.raises(TypeError, match=next(iter(wrong))):
+            setsquare.read_log(tmp_path / "empty.clf", **wrong)
     with pytest.raises(setsquare.ParameterError, match="pose_of"):
         setsquare.Mapper().finish().trajectory("wheel")
     with pytest.raises(setsquare.Error):

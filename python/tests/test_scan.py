@@ -54,15 +54,23 @@ def test_poses_chain_and_are_taken_as_three_numbers():
     assert (a * b).transform(points) == pytest.approx(a.transform(b.transform(points)))
     assert setsquare.Scan([1.0], T_base_sensor=(1, 2, 3)).T_base_sensor == setsquare.Pose2(1, 2, 3)
     assert setsquare.Scan([1.0], T_base_sensor=np.array([1, 2, 3.0])).T_base_sensor.y_m == 2
-    with pytest.raises((TypeError, ValueError)):
-        setsquare.Scan([1.0], T_base_sensor=(1, 2))
+    for wrong in ((1, 2), "abc"):
+        with pytest.raises((TypeError, ValueError)):
+            setsquare.Scan([1.0], T_base_sensor=wrong)
+
+
+def test_a_scan_does_not_change_by_its_mounting():
+    scan = setsquare.Scan([1.0], T_base_sensor=(1, 2, 3))
+    with pytest.raises(AttributeError):
+        scan.T_base_sensor.x_m = 5.0
+    assert scan.T_base_sensor.x_m == 1.0
 
 
 def test_trajectories_are_arrays_and_files(tmp_path):
     stamps = np.array([1_000_000_000, 2_000_000_000])
     poses = np.array([[0.0, 0.0, 0.0], [1.0, 2.0, 0.5]])
     trajectory = setsquare.Trajectory(stamps, poses)
-    trajectory.save_tum(str(tmp_path / "t.tum"))
+    trajectory.save_tum(tmp_path / "t.tum")
     again = setsquare.Trajectory.read_tum(str(tmp_path / "t.tum"))
     assert np.array_equal(again.stamps_ns, stamps)
     assert again.poses == pytest.approx(poses, abs=1e-6)

@@ -93,7 +93,6 @@ std::string title_of_log(const std::string& path) {
 MappedLog map_logs(const std::vector<std::string>& paths,
                    const MapLogOptions& options,
                    const MapLogWatcher& watcher) {
-  if (paths.empty()) throw ParameterError("paths", "must name a log");
   LogOptions log_options = options.log;
   log_options.scans_only = false;  // The odometry is surveyed, turn rates are used.
   const auto reader = open_logs(paths, log_options);

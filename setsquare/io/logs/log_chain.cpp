@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/log_chain.hpp"
 
-#include <cassert>
 #include <cstdint>
 #include <map>
 #include <utility>
@@ -113,7 +112,7 @@ class LogChain final : public LogReader {
 
 std::unique_ptr<LogReader> open_logs(const std::vector<std::string>& paths,
                                      const LogOptions& options) {
-  assert(!paths.empty());
+  if (paths.empty()) throw ParameterError("paths", "must name a log");
   if (paths.size() == 1) return open_log(paths.front(), options);
   LogOptions of_each = options;
   of_each.window = {};

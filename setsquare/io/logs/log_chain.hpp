@@ -14,8 +14,8 @@ namespace setsquare {
 /// Each is opened when its turn comes, so that many need no more memory than one. A scanner has the
 /// same number (Scan::scanner) in all of them: its name tells which it is.
 ///
-/// Throws what open_log throws for the first log; a later one that cannot be read is named in
-/// problems(), and the run goes on behind it.
+/// Throws ParameterError where no log is named, and what open_log throws for the first one; a later
+/// one that cannot be read is named in problems(), and the run goes on behind it.
 [[nodiscard]] std::unique_ptr<LogReader> open_logs(const std::vector<std::string>& paths,
                                                    const LogOptions& options = {});
 
