@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
+#include <cmath>
 #include <memory>
 
 #include "python/src/bindings.hpp"
@@ -59,6 +60,9 @@ SimulatedDriveParams drive_from(const DriveOptions& options) {
   }
   if (options.num_beams) drive.scanner = with_num_beams(drive.scanner, *options.num_beams);
   if (options.sweep_time_s) drive.scanner.sweep_s = *options.sweep_time_s;
+  if (!(drive.scanner.sweep_s >= 0.0 && drive.scanner.sweep_s <= 10.0)) {
+    throw ParameterError("sweep_time_s", "must be from 0 to 10 s");
+  }
   if (!(options.rate_hz > 0.0)) throw ParameterError("rate_hz", "must be positive");
   drive.scans_per_s = options.rate_hz;
   drive.every_m = options.every_m;
@@ -71,6 +75,11 @@ SimulatedDriveParams drive_from(const DriveOptions& options) {
     drive.turn_at_start = {.turn_rad = rad_from_deg(options.spin_deg), .rest_s = 1.0};
   }
   drive.has_drift = options.odometry_drift;
+  for (const Pose2& mounting : options.mountings) {
+    if (!std::isfinite(mounting.x_m + mounting.y_m + mounting.theta_rad)) {
+      throw ParameterError("mountings", "must be finite");
+    }
+  }
   drive.T_base_sensor = options.mountings;
   return drive;
 }

@@ -34,7 +34,9 @@ def test_the_odometry_is_the_truth_without_drift():
 
 
 def test_says_what_it_does_not_know():
-    for wrong in ({"building": "castle"}, {"scanner": "sonar"}, {"rate_hz": 0.0}, {"rate_hz": 1e9}):
+    for wrong in ({"building": "castle"}, {"scanner": "sonar"}, {"rate_hz": 0.0}, {"rate_hz": 1e9},
+                  {"sweep_time_s": float("nan")}, {"sweep_time_s": -0.1},
+                  {"mountings": [(float("nan"), 0, 0)]}):
         with pytest.raises(setsquare.ParameterError):
             setsquare.simulate(**wrong)
 
