@@ -65,11 +65,18 @@ def map(map, axes=None, path=True, doubts=True):
     return _finish(axes)
 
 
+def _nearest(values, wanted):
+    """For each wanted value the index of the nearest of the ascending values."""
+    after = np.searchsorted(values, wanted).clip(max=len(values) - 1)
+    before = (after - 1).clip(min=0)
+    return np.where(np.abs(values[before] - wanted) < np.abs(values[after] - wanted), before, after)
+
+
 def errors(trajectory, truth, axes=None):
     """The distance of each pose from the true one over time, after the best rigid alignment."""
     axes = _axes_or_new(axes)
     alignment = _core.evaluate_trajectory(trajectory, truth).T_truth_map
-    nearest = np.searchsorted(truth.stamps_ns, trajectory.stamps_ns).clip(max=len(truth) - 1)
+    nearest = _nearest(truth.stamps_ns, trajectory.stamps_ns)
     paired = np.abs(truth.stamps_ns[nearest] - trajectory.stamps_ns) <= 12_000
     moved = alignment.transform(trajectory.poses[:, :2])
     distances = np.linalg.norm(moved - truth.poses[nearest, :2], axis=1)

@@ -3,6 +3,7 @@
 import xml.etree.ElementTree as ET
 
 import matplotlib
+import numpy as np
 import pytest
 
 import setsquare
@@ -42,6 +43,15 @@ def test_plots_have_what_they_name(answer, room_scan):
     axes = setsquare.plot.match(answer)
     assert [line.get_label() for line in axes.lines] == ["reference", "current"]
     assert axes.get_title().startswith("matched")
+
+
+def test_errors_are_drawn_where_stamps_are_rounded_either_way():
+    poses = np.column_stack([np.arange(10.0), np.arange(10.0) ** 2, np.zeros(10)])
+    stamps = 1_000_000_000 * np.arange(10)
+    rounded = stamps + np.where(np.arange(10) % 2, 400, -400)
+    truth = setsquare.Trajectory(rounded, poses)
+    line = setsquare.plot.errors(setsquare.Trajectory(stamps, poses), truth).lines[0]
+    assert len(line.get_ydata()) == 10 and line.get_ydata().max() < 1e-9
 
 
 def test_a_map_draws_itself(simulated_log):
