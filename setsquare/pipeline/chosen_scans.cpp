@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <sstream>
 
 namespace setsquare {
 namespace {
@@ -43,6 +44,16 @@ bool ChosenScans::takes(const LogRecord& record, const std::string& front_sensor
   last_[record.sensor] = record.scan;
   if (!has_leader_come_ || repeated_.contains(record.sensor)) return false;
   return record.sensor == leader_ || ++num_compared_[record.sensor] > kMinUnlike;
+}
+
+std::vector<std::string> ChosenScans::absent() const {
+  std::vector<std::string> names;
+  if (!names_several(wanted_) || wanted_ == "all") return names;
+  std::istringstream list(wanted_);
+  for (std::string name; std::getline(list, name, ',');) {
+    if (!last_.contains(name)) names.push_back(name);
+  }
+  return names;
 }
 
 void ChosenScans::find_repeated(const LogRecord& record) {

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "setsquare/io/logs/log_reader.hpp"
 
@@ -23,6 +24,9 @@ class ChosenScans {
 
   /// Sensors that repeat another one: their names, and the other's.
   [[nodiscard]] const std::map<std::string, std::string>& repeated() const { return repeated_; }
+
+  /// Sensors that were named and of which no scan came.
+  [[nodiscard]] std::vector<std::string> absent() const;
 
  private:
   void find_repeated(const LogRecord& record);

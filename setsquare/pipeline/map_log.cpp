@@ -39,6 +39,9 @@ void feed(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped, Ad
     mapped.problems.remarks.push_back("sensor " + name + " repeats the sweeps of " + other +
                                       ": left out");
   }
+  for (const std::string& name : chosen.absent()) {
+    mapped.problems.remarks.push_back("no scan of sensor " + name);
+  }
   mapped.findings = find_faults(survey, mapped.problems);
 }
 
@@ -72,9 +75,12 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
 /// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
 void require_something_mapped(const MappedLog& mapped) {
   const MapSummary summary = summary_of(mapped.map);
-  if (summary.num_scans == 0 || summary.num_lost < summary.num_scans) return;
-  std::string reason = fmt::format(
-      "none of its {} scans could be mapped: too few returns within range", summary.num_scans);
+  if (summary.num_lost < summary.num_scans) return;
+  std::string reason =
+      summary.num_scans == 0
+          ? "none of its scans is of the sensor named first, by which the others are judged"
+          : fmt::format("none of its {} scans could be mapped: too few returns within range",
+                        summary.num_scans);
   for (const LogFinding& finding : mapped.findings) reason += "; " + text_of(finding);
   throw FileError(mapped.name, reason);
 }

@@ -113,6 +113,16 @@ TEST_F(TwoScanners, ASweepUnderTwoNamesCountsOnce) {
   EXPECT_EQ(trajectory("twice"), trajectory("once"));
 }
 
+TEST_F(TwoScanners, NamesThatTheLogDoesNotHaveAreTold) {
+  const std::string log = simulate();
+  const CommandOutcome further = map(log, "--sensor ROBOTLASER1,ROBOTLASER7", "further");
+  EXPECT_EQ(further.exit_code, 0);
+  EXPECT_THAT(further.err, HasSubstr("no scan of sensor ROBOTLASER7"));
+  const CommandOutcome first = map(log, "--sensor ROBOTLASER7,ROBOTLASER1", "first");
+  EXPECT_EQ(first.exit_code, 2);
+  EXPECT_THAT(first.err, HasSubstr("no scan of sensor ROBOTLASER7"));
+}
+
 TEST_F(TwoScanners, MountingsThatAreNoneAreRefused) {
   for (const char* mounting : {"X", "X=1,2", "X=1,2,nan", "X=1e9,0,0", "X=1,2,3,4"}) {
     const CommandOutcome outcome =
