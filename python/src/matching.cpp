@@ -188,6 +188,14 @@ In 1/m^2, 1/(m rad), 1/rad^2; singular where the match is degenerate.)")
       .def_property_readonly(
           "zncc_x", field(&MatchResult::zncc_x), "Along the dominant direction, [-1, 1].")
       .def_property_readonly("zncc_y", field(&MatchResult::zncc_y), "Across it.")
+      .def_property_readonly("probability",
+                             field(&MatchResult::probability),
+                             "That the answer is right, within 0.2 m and 3 deg, of scans taken "
+                             "within 5 m of each other.")
+      .def_property_readonly("alias",
+                             field(&MatchResult::alias),
+                             "A motion in the reference's frame under which the place looks the "
+                             "same (Pose2); else None.")
       .def_property_readonly("runner_up", field(&MatchResult::runner_up), "None where none is.")
       .def_property_readonly("degenerate_direction_rad",
                              field(&MatchResult::degenerate_direction_rad),
