@@ -190,15 +190,12 @@ In 1/m^2, 1/(m rad), 1/rad^2; singular where the match is degenerate.)")
       .def_property_readonly("zncc_y", field(&MatchResult::zncc_y), "Across it.")
       .def_property_readonly("probability",
                              field(&MatchResult::probability),
-                             R"(That the pose is right, within 0.2 m and 3 deg.
-
-Of scans taken within 5 m of each other; NaN where the preset does not measure it.)")
+                             "That the answer is right, within 0.2 m and 3 deg, of scans taken "
+                             "within 5 m of each other.")
       .def_property_readonly("alias",
                              field(&MatchResult::alias),
-                             R"(A motion under which the place looks the same, a niche further.
-
-In the reference's frame: the answer moved by it is contradicted by nothing either. None where there
-is none.)")
+                             "A motion in the reference's frame under which the place looks the "
+                             "same (Pose2); else None.")
       .def_property_readonly("runner_up", field(&MatchResult::runner_up), "None where none is.")
       .def_property_readonly("degenerate_direction_rad",
                              field(&MatchResult::degenerate_direction_rad),

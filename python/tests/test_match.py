@@ -21,6 +21,7 @@ def test_finds_the_pose_between_two_scans(room_scan):
         error = (a.inverse() * b).inverse() * answer.T_reference_current
         assert math.hypot(error.x_m, error.y_m) < 0.02
         assert abs(error.theta_deg) < 0.3
+        assert answer.probability > 0.95 and answer.alias is None
 
 
 def test_arrays_and_scans_give_the_same():

@@ -147,12 +147,16 @@ bool RobotParts::shows_part(double range_m, std::size_t sector) const {
 
 std::optional<Scan> RobotParts::without(const Scan& scan) const {
   if (num_sectors() == 0) return std::nullopt;
-  std::optional<Scan> without;
-  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
-    if (scan.outcome(beam) != BeamOutcome::kReturn) continue;
-    if (!shows_part(scan.ranges_m[beam], sector_of(scan, beam))) continue;
-    if (!without) without = scan;
-    without->ranges_m[beam] = 0.0;
+  const auto is_of_part = [&](std::size_t beam) {
+    return scan.outcome(beam) == BeamOutcome::kReturn &&
+           shows_part(scan.ranges_m[beam], sector_of(scan, beam));
+  };
+  std::size_t beam = 0;
+  while (beam < scan.num_beams() && !is_of_part(beam)) ++beam;
+  if (beam == scan.num_beams()) return std::nullopt;
+  Scan without = scan;
+  for (; beam < scan.num_beams(); ++beam) {
+    if (is_of_part(beam)) without.ranges_m[beam] = 0.0;
   }
   return without;
 }
