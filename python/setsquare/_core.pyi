@@ -341,8 +341,8 @@ def match(
     max_rotation_deg: float | None = ...,
 ) -> MatchResult: ...
 def explain(
-    reference: _ScanLike,
-    current: _ScanLike,
+    reference: _ScanLike | PreparedScan,
+    current: _ScanLike | PreparedScan,
     *,
     fov_deg: float | None = ...,
     preset: _Preset = ...,

@@ -111,8 +111,12 @@ std::string explain_match(const py::object& reference,
   if (format != "html" && format != "svg") {
     throw ParameterError("format", "must be \"html\" or \"svg\"");
   }
-  const auto a = scan_from(reference, fov_deg);
-  const auto b = scan_from(current, fov_deg);
+  const auto scan_of = [&](const py::object& object) {
+    return py::isinstance<PreparedPyScan>(object) ? object.cast<const PreparedPyScan&>().scan
+                                                  : scan_from(object, fov_deg);
+  };
+  const std::shared_ptr<const Scan> a = scan_of(reference);
+  const std::shared_ptr<const Scan> b = scan_of(current);
   return without_gil([&] {
     const StoryNames names{
         .log = "match", .reference = "reference scan", .current = "current scan"};
@@ -261,7 +265,7 @@ Raises ParameterError where a scan's geometry is invalid.)");
              py::arg("format") = "html",
              R"(One match as a page (format "html") or a picture ("svg"): what spoke for which pose.
 
-Arguments as those of match. Returns the document as text. Raises ParameterError.)");
+Scans and preset as those of match, without bounds. Returns the document as text. Raises ParameterError.)");
 }
 
 }  // namespace setsquare::python

@@ -109,5 +109,6 @@ def test_explains(room_scan):
     a, b = room_scan((0, 0, 0)), room_scan((-0.5, 0, 0.1), seed=2)
     assert setsquare.explain(a, b).lstrip().startswith("<!DOCTYPE html>")
     assert "<svg" in setsquare.explain(a, b, format="svg")
+    assert setsquare.explain(setsquare.prepare(a), b) == setsquare.explain(a, b)
     with pytest.raises(setsquare.ParameterError, match="format"):
         setsquare.explain(a, b, format="pdf")
