@@ -69,6 +69,9 @@ T_a_c = T_a_b * T_b_c. Its numbers do not change. Wherever a pose is taken, thre
 points: float array of shape (N, 2), or (2,) for one point, in m. Returns the same shape.)")
       .def("__mul__", [](const Pose2& T_a_b, const Pose2& T_b_c) { return T_a_b * T_b_c; })
       .def(py::self == py::self)  // NOLINT(misc-redundant-expression)
+      .def(py::pickle(
+          [](const Pose2& pose) { return py::make_tuple(pose.x_m, pose.y_m, pose.theta_rad); },
+          [](const py::tuple& state) { return pose_from_sequence(state); }))
       .def("__len__", [](const Pose2&) { return 3; })
       .def("__iter__",
            [](const Pose2& pose) {

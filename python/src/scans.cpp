@@ -77,6 +77,39 @@ DoubleArray bearings_of(const Scan& scan) {
   return bearings;
 }
 
+/// All that a scan is, for pickle and copy.
+py::tuple state_of(const Scan& scan) {
+  DoubleArray ranges_m(static_cast<py::ssize_t>(scan.num_beams()));
+  std::copy(scan.ranges_m.begin(), scan.ranges_m.end(), ranges_m.mutable_data());
+  return py::make_tuple(ranges_m,
+                        scan.first_bearing_rad,
+                        scan.bearing_step_rad,
+                        scan.min_range_m,
+                        scan.max_range_m,
+                        scan.T_base_sensor,
+                        scan.stamp.ns,
+                        scan.time_increment_s,
+                        scan.scan_time_s,
+                        scan.scanner);
+}
+
+std::shared_ptr<Scan> scan_from_state(const py::tuple& state) {
+  const auto ranges_m = state[0].cast<DoubleArray>();
+  auto scan = std::make_shared<Scan>();
+  scan->ranges_m.assign(ranges_m.data(), ranges_m.data() + ranges_m.size());
+  scan->first_bearing_rad = state[1].cast<double>();
+  scan->bearing_step_rad = state[2].cast<double>();
+  scan->min_range_m = state[3].cast<double>();
+  scan->max_range_m = state[4].cast<double>();
+  scan->T_base_sensor = state[5].cast<Pose2>();
+  scan->stamp.ns = state[6].cast<std::int64_t>();
+  scan->time_increment_s = state[7].cast<double>();
+  scan->scan_time_s = state[8].cast<double>();
+  scan->scanner = state[9].cast<std::uint32_t>();
+  scan->validate();
+  return scan;
+}
+
 constexpr auto kScanDoc = R"(One sweep of a laser scanner.
 
 ranges_m: float array of shape (N,), in m, as the sensor gave them; NaN, zeros and codes are welcome.
@@ -166,6 +199,7 @@ void bind_scans(py::module_& module) {
           "stamp_s",
           [](const Scan& scan) { return scan.stamp.seconds(); },
           "The same in seconds; rounded to what a double holds.")
+      .def(py::pickle(&state_of, &scan_from_state))
       .def("__len__", &Scan::num_beams)
       .def("__repr__", [](const Scan& scan) {
         return fmt::format("Scan({} beams, {:.1f} deg, stamp_s={})",

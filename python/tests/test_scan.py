@@ -1,6 +1,8 @@
 # SPDX-FileCopyrightText: 2026 The Setsquare authors
 # SPDX-License-Identifier: Apache-2.0
+import copy
 import math
+import pickle
 
 import numpy as np
 import pytest
@@ -45,6 +47,16 @@ def test_stamps_are_exact():
     assert setsquare.Scan([1.0], stamp_s=1.5).stamp_ns == 1_500_000_000
     with pytest.raises(setsquare.ParameterError, match="stamp_s"):
         setsquare.Scan([1.0], stamp_s=math.nan)
+
+
+def test_scans_and_poses_go_to_other_processes():
+    scan = setsquare.Scan([1.0, math.nan, 3.0], fov_deg=90, stamp_ns=7, scanner=2, max_range_m=5.0,
+                          T_base_sensor=(1, 2, 3), time_increment_s=0.1, scan_time_s=0.5)
+    for again in (pickle.loads(pickle.dumps(scan)), copy.deepcopy(scan)):
+        assert np.array_equal(again.ranges_m, scan.ranges_m, equal_nan=True)
+        for name in ("first_bearing_rad", "bearing_step_rad", "min_range_m", "max_range_m", "scanner",
+                     "T_base_sensor", "stamp_ns", "time_increment_s", "scan_time_s"):
+            assert getattr(again, name) == getattr(scan, name)
 
 
 def test_poses_chain_and_are_taken_as_three_numbers():

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/pipeline/run_record.hpp"
 
+#include <fmt/format.h>
+
+#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/rounded.hpp"
@@ -54,11 +58,28 @@ Json json_if(const std::optional<double>& value, double unit) {
   return value ? Json(rounded(unit * *value)) : Json();
 }
 
+/// As --slice takes it: "ring=3", "0.1:0.4"; null where the default holds.
+Json json_of(const CloudSlice& slice) {
+  if (slice.ring) return fmt::format("ring={}", *slice.ring);
+  if (slice.low_m && slice.high_m) return fmt::format("{:g}:{:g}", *slice.low_m, *slice.high_m);
+  return {};
+}
+
+/// By the scanners' names: x, y in m, and degrees.
+Json json_of(const std::map<std::string, Pose2>& mountings) {
+  Json object = Json::object();
+  for (const auto& [name, pose] : mountings) {
+    object[name] = {pose.x_m, pose.y_m, rounded(deg_from_rad(pose.theta_rad))};
+  }
+  return object;
+}
+
 /// The options that decide what the map is; the preset and whose poses are saved are recorded
 /// apart.
 Json json_of_options(const MapLogOptions& options) {
   const double degrees = deg_from_rad(1.0);
   return {{"odometry", options.uses_odometry},
+          {"audit", options.is_audited},
           {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
           {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},
           {"angular_step_deg", json_if(options.log.bearing_step_rad, degrees)},
@@ -72,6 +93,9 @@ Json json_of_options(const MapLogOptions& options) {
           {"ignored_ranges_m", options.log.ignored_ranges_m},
           {"mirror_scans", options.log.mirrors_scans},
           {"sweep_time_s", json_if(options.log.sweep_time_s, 1.0)},
+          {"mountings", json_of(options.log.mountings)},
+          {"slice", json_of(options.log.slice)},
+          {"echo", options.log.takes_strongest_echo ? "strongest" : "first"},
           {"stamp_decimals", static_cast<int>(options.log.stamp_unit)}};
 }
 
