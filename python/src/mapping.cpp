@@ -56,10 +56,7 @@ PyMap map_log_of(const py::object& path,
   options.uses_odometry = odometry;
   options.is_audited = audit;
   options.num_threads = static_cast<std::size_t>(threads_from(num_threads));
-  if (preset != "default" && preset != "paper") {
-    throw ParameterError("preset", "must be \"default\" or \"paper\"");
-  }
-  options.preset = preset == "paper" ? Preset::kPaper : Preset::kDefault;
+  options.preset = preset_from(preset);
   const std::vector<std::string> paths = paths_from(path);
   Watch watch(progress);
   return {std::make_shared<const MappedLog>(without_gil(

@@ -38,12 +38,6 @@ struct PyMatch {
   std::shared_ptr<const Scan> current;
 };
 
-Preset preset_from(const std::string& name) {
-  if (name == "default") return Preset::kDefault;
-  if (name == "paper") return Preset::kPaper;
-  throw ParameterError("preset", "must be \"default\" or \"paper\"");
-}
-
 PreparedPyScan prepare_scan(const py::object& scan, const std::optional<double>& fov_deg) {
   PreparedPyScan made{scan_from(scan, fov_deg), {}};
   made.prepared = without_gil([&] { return prepare(*made.scan); });

@@ -45,12 +45,6 @@ struct DriveOptions {
   std::vector<Pose2> mountings;
 };
 
-ScannerModel scanner_named(const std::string& name) {
-  if (name == "utm-30lx") return utm_30lx();
-  if (name == "low-cost-360") return low_cost_360();
-  throw ParameterError("scanner", "must be \"utm-30lx\" or \"low-cost-360\"");
-}
-
 SimulatedDriveParams drive_from(const DriveOptions& options) {
   SimulatedDriveParams drive;
   drive.seed = options.seed;

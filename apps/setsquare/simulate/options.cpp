@@ -184,7 +184,7 @@ std::string log_name(const SimulateOptions& options) {
 SimulatedDriveParams drive_from(const SimulateOptions& options) {
   SimulatedDriveParams drive = options.drive;
   drive.seed = options.seed;
-  drive.scanner = options.scanner == "low-cost-360" ? low_cost_360() : utm_30lx();
+  drive.scanner = scanner_named(options.scanner);
   if (options.field_of_view_deg) {
     drive.scanner = with_field_of_view(drive.scanner, rad_from_deg(*options.field_of_view_deg));
   }

@@ -18,18 +18,6 @@ constexpr std::size_t kMaxNumPlaces = 240;
 /// Contradictions about which more pairs are matched, at most.
 constexpr std::size_t kMaxNumFollowed = 24;
 
-/// Pairs about the contradictions, the centres of the greatest groups first.
-std::vector<AuditPair> second_opinions(const std::vector<ContradictionGroup>& groups,
-                                       const std::vector<AuditMatch>& matches,
-                                       const AuditedTrack& track) {
-  std::vector<AuditPair> pairs;
-  for (std::size_t i = 0; i < std::min(groups.size(), kMaxNumFollowed); ++i) {
-    const auto about = pairs_about(track, matches[groups[i].centre].pair);
-    pairs.insert(pairs.end(), about.begin(), about.end());
-  }
-  return pairs;
-}
-
 AuditReport report_of(std::size_t num_pairs,
                       std::size_t num_matched,
                       const std::vector<ContradictionGroup>& groups) {
@@ -101,7 +89,7 @@ AuditFindings audit(const Map& map,
   const auto places = matched.places(spread_places(track, kMaxNumPlaces));
   matched.match(sampled_pairs(track, places, params), MatchEffort::kQuick);
   const auto first_groups = contradiction_groups(matched.matches(), track, params);
-  matched.match(second_opinions(first_groups, matched.matches(), track), MatchEffort::kThorough);
+  matched.match_about(first_groups, kMaxNumFollowed);
   findings.matches = matched.matches();
   findings.groups = contradiction_groups(findings.matches, track, params);
   findings.report = report_of(matched.num_tried(), findings.matches.size(), findings.groups);

@@ -270,18 +270,6 @@ class ClosureJudge {
   AuditParams audit_;
 };
 
-/// Pairs about the groups, the greatest first.
-std::vector<AuditPair> pairs_about_groups(const std::vector<AlikeMatches>& groups,
-                                          std::span<const AuditMatch> matches,
-                                          const AuditedTrack& track) {
-  std::vector<AuditPair> pairs;
-  for (std::size_t i = 0; i < std::min(groups.size(), kMaxNumSeconded); ++i) {
-    const auto about = pairs_about(track, matches[groups[i].centre].pair);
-    pairs.insert(pairs.end(), about.begin(), about.end());
-  }
-  return pairs;
-}
-
 }  // namespace
 
 void ClosuresAnywhereParams::validate() const {
@@ -327,7 +315,7 @@ std::vector<MapHypothesis> closures_anywhere(const Map& map,
   const auto undetermined =
       ClosureJudge(matched.matches(), track, spread, params, audit).undetermined();
   const auto groups = alike_groups(matched.matches(), undetermined, track, audit);
-  matched.match(pairs_about_groups(groups, matched.matches(), track), MatchEffort::kThorough);
+  matched.match_about(groups, kMaxNumSeconded);
 
   std::vector<MapHypothesis> found;
   for (const std::size_t i : believed_closures(matched.matches(), track, spread, params, audit)) {

@@ -4,6 +4,7 @@
 // by them.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <set>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "setsquare/mapping/audit/contradictions.hpp"
+#include "setsquare/mapping/audit/pairs.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
@@ -34,6 +36,19 @@ class MatchedPairs {
 
   /// Matches those of the pairs that it has not matched.
   void match(const std::vector<AuditPair>& pairs, MatchEffort effort);
+
+  /// Matches pairs about the first of some groups of matches, at most `max_num` of them,
+  /// thoroughly: what the pair in each group's middle tells is asked of others. `groups`: with
+  /// `centre`, an index of matches().
+  template <typename Group>
+  void match_about(const std::vector<Group>& groups, std::size_t max_num) {
+    std::vector<AuditPair> pairs;
+    for (std::size_t i = 0; i < std::min(groups.size(), max_num); ++i) {
+      const auto about = pairs_about(track_, matches_[groups[i].centre].pair);
+      pairs.insert(pairs.end(), about.begin(), about.end());
+    }
+    match(pairs, MatchEffort::kThorough);
+  }
 
   [[nodiscard]] std::size_t num_tried() const { return tried_.size(); }
   /// Those that were answered MatchStatus::kMatched.

@@ -76,6 +76,12 @@ ScannerModel low_cost_360() {
           .beam_count_jitter = 0.02};
 }
 
+ScannerModel scanner_named(std::string_view name) {
+  if (name == "utm-30lx") return utm_30lx();
+  if (name == "low-cost-360") return low_cost_360();
+  throw ParameterError("scanner", "must be \"utm-30lx\" or \"low-cost-360\"");
+}
+
 ScannerModel with_field_of_view(ScannerModel model, double field_of_view_rad) {
   if (!(field_of_view_rad > 0.0) || field_of_view_rad > kTwoPi + kRoundingSlack_rad) {
     throw ParameterError("field_of_view_rad", "must be positive and at most a full turn");

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace setsquare {
 
@@ -33,6 +34,9 @@ struct ScannerModel {
 [[nodiscard]] ScannerModel utm_30lx();
 /// A cheap rotating scanner: about 360 beams around, 8 m, 10 Hz, changing beam count.
 [[nodiscard]] ScannerModel low_cost_360();
+
+/// One of them by its name: "utm-30lx" or "low-cost-360". Throws ParameterError.
+[[nodiscard]] ScannerModel scanner_named(std::string_view name);
 /// The same scanner with another field of view about the front and the same step; 2 pi at most.
 /// Throws ParameterError where that is not positive, too wide, or less than a step.
 [[nodiscard]] ScannerModel with_field_of_view(ScannerModel model, double field_of_view_rad);
