@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <pybind11/stl.h>
 
-#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -15,6 +14,8 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/scan/symmetric_bearings.hpp"
 
 namespace py = pybind11;
 
@@ -40,11 +41,8 @@ void set_bearings(Scan& scan, const ScanGeometry& geometry) {
   }
   const double fov_rad = rad_from_deg(geometry.fov_deg.value_or(180.0));
   if (!(fov_rad > 0.0)) throw ParameterError("fov_deg", "must be above 0 and at most 360");
-  const auto num_beams = static_cast<double>(scan.num_beams());
-  const bool is_odd = scan.num_beams() % 2 == 1;
   scan.first_bearing_rad = -0.5 * fov_rad;
-  scan.bearing_step_rad =
-      num_beams > 1.0 ? fov_rad / (is_odd ? num_beams - 1.0 : num_beams) : fov_rad;
+  scan.bearing_step_rad = symmetric_step_rad(fov_rad, scan.num_beams());
 }
 
 std::shared_ptr<Scan> scan_from_ranges(const DoubleArray& ranges_m, const ScanGeometry& geometry) {
@@ -57,15 +55,13 @@ std::shared_ptr<Scan> scan_from_ranges(const DoubleArray& ranges_m, const ScanGe
 
 /// Cartesian points of the returns, shape (N, 2), in the sensor frame.
 DoubleArray points_of(const Scan& scan) {
-  std::vector<double> points;
-  points.reserve(2 * scan.num_beams());
-  for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
-    if (scan.outcome(beam) != BeamOutcome::kReturn) continue;
-    points.push_back(scan.ranges_m[beam] * std::cos(scan.bearing_rad(beam)));
-    points.push_back(scan.ranges_m[beam] * std::sin(scan.bearing_rad(beam)));
+  const PointSet points = points_from_scan(scan);
+  DoubleArray array({static_cast<py::ssize_t>(points.size()), py::ssize_t{2}});
+  double* to = array.mutable_data();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    *to++ = points.x_m[i];
+    *to++ = points.y_m[i];
   }
-  DoubleArray array({static_cast<py::ssize_t>(points.size() / 2), py::ssize_t{2}});
-  std::copy(points.begin(), points.end(), array.mutable_data());
   return array;
 }
 

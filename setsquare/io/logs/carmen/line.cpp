@@ -9,6 +9,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bytes/text_scanner.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
+#include "setsquare/scan/symmetric_bearings.hpp"
 
 namespace setsquare {
 namespace {
@@ -20,9 +21,8 @@ void set_symmetric_bearings(Scan& scan, const LogOptions& options) {
   const double field_of_view_rad = is_by_step
                                        ? std::abs(*options.bearing_step_rad) * (num_beams - 1.0)
                                        : options.field_of_view_rad.value_or(kPi);
-  const bool is_odd = scan.num_beams() % 2 == 1;
-  const double num_steps = is_odd && scan.num_beams() > 1 ? num_beams - 1.0 : num_beams;
-  scan.bearing_step_rad = options.bearing_step_rad.value_or(field_of_view_rad / num_steps);
+  scan.bearing_step_rad =
+      options.bearing_step_rad.value_or(symmetric_step_rad(field_of_view_rad, scan.num_beams()));
   scan.first_bearing_rad =
       scan.bearing_step_rad < 0.0 ? 0.5 * field_of_view_rad : -0.5 * field_of_view_rad;
 }
