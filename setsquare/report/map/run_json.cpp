@@ -152,7 +152,7 @@ Json array_from_text(const std::string& text, const char* name) {
 
 std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
   const MapSummary summary = summary_of(map);
-  const Json json = {{"version", SETSQUARE_VERSION},
+  const Json json = {{"version", run.version},
                      {"log", run.log},
                      {"format", run.format},
                      {"sensor", run.sensor},
