@@ -11,7 +11,7 @@ namespace setsquare::python {
 
 /// A map as Python holds it: with what is known of its making.
 struct PyMap {
-  explicit PyMap(SavedMap saved) : saved(std::make_shared<const SavedMap>(std::move(saved))) {}
+  explicit PyMap(SavedMap map) : saved(std::make_shared<const SavedMap>(std::move(map))) {}
   explicit PyMap(MappedLog mapped)
       : PyMap(SavedMap{.map = std::move(mapped.map), .record = map_record_of(mapped)}) {}
 

@@ -62,7 +62,12 @@ void validate(const Map& map) {
   require_each(map.headings, "headings", "names no frame", [&](const MappedHeading& heading) {
     return heading.frame < std::max<std::size_t>(map.frames.size(), 1);
   });
-  require_each(map.pieces, "pieces", "has no such scans", are_scans);
+  std::size_t num_left = num_scans;
+  require_each(map.pieces, "pieces", "has no such scans", [&](const TrackPiece& piece) {
+    if (!are_scans(piece) || piece.num_scans > num_left) return false;
+    num_left -= piece.num_scans;
+    return true;
+  });
   require_each(map.open_stretches, "open_stretches", "has no such scans", are_scans);
   require_each(map.closures, "closures", "names no scan", [&](const MappedClosure& closure) {
     return is_scan(closure.scan_i) && is_scan(closure.scan_j);

@@ -124,9 +124,9 @@ void draw_keyframes(Draw& draw, Map& map) {
 void draw_track(Draw& draw, Map& map) {
   const std::size_t num_scans = map.scans.size();
   for (std::size_t i = 0; i < 3; ++i) {
-    TrackPiece& piece = map.pieces.emplace_back();
-    draw_scans(draw, num_scans, piece);
-    piece.is_joined = draw.coin();
+    const std::size_t first = i * num_scans / 3;
+    const std::size_t end = (i + 1) * num_scans / 3;
+    if (first < end) map.pieces.push_back({first, end - first, draw.coin()});
     OpenStretch stretch{.way_m = draw.number(),
                         .duration_s = draw.number(),
                         .direction_rad = draw.number(),

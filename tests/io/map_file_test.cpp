@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstring>
@@ -17,6 +18,7 @@
 #include <thread>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/save_file.hpp"
 #include "setsquare/io/map_file/sections.hpp"
 #include "tests/io/made_map.hpp"
 #include "tests/support/seed.hpp"
@@ -203,6 +205,7 @@ TEST(MapFile, IndicesOfNothingAreRefused) {
   expect_refused("headings[0]", [](Map& map) { map.headings[0].frame = 2; });
   expect_refused("closures[1]", [](Map& map) { map.closures[1].scan_j = 6; });
   expect_refused("pieces[2]", [](Map& map) { map.pieces[2] = {5, 2, true}; });
+  expect_refused("pieces[3]", [](Map& map) { map.pieces.push_back({0, 1, true}); });
   expect_refused("pieces[0]", [](Map& map) { map.pieces[0] = {5, ~std::size_t{0}, true}; });
   expect_refused("open_stretches[0]", [](Map& map) { map.open_stretches[0].first_scan = 6; });
   expect_refused("undecided_turns[0]", [](Map& map) { map.undecided_turns[0].last_scan = 6; });
@@ -234,28 +237,39 @@ TEST(MapFile, IsFoundInTheFolderOfAMap) {
   EXPECT_EQ(text_of(load_map_file(folder.path().string())), text_of(saved));
 }
 
-/// A process that saves one map and then the other until it is killed.
-[[noreturn]] void save_for_ever(const std::string& path, const SavedMap& a, const SavedMap& b) {
-  while (true) {
-    save_map_file(a.map, path, a.record);
-    save_map_file(b.map, path, b.record);
+/// A process that saves one map file and then the other until it is killed: as save_map_file() does
+/// when it has made the bytes, which takes longer than writing them. Returns when it has begun.
+pid_t begin_saving(const std::string& path, const std::string& one, const std::string& other) {
+  std::array<int, 2> pipe_ends{};
+  if (::pipe(pipe_ends.data()) != 0) return -1;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    save_file(path, one);
+    static_cast<void>(::write(pipe_ends[1], "x", 1) == 1);
+    while (true) {
+      save_file(path, other);
+      save_file(path, one);
+    }
   }
+  char begun = 0;
+  const bool has_begun = ::read(pipe_ends[0], &begun, 1) == 1;
+  ::close(pipe_ends[0]);
+  ::close(pipe_ends[1]);
+  return has_begun ? child : -1;
 }
 
 TEST(MapFile, KilledWhileItIsSavedIsTheOldOneOrTheNewOne) {
   const testing::TemporaryFolder folder;
   const std::string path = (folder.path() / kMapFileName).string();
-  const SavedMap a = made_map(1, 400);
-  const SavedMap b = made_map(2, 500);
-  const std::set<std::string> texts = {text_of(a), text_of(b)};
-  save_map_file(a.map, path, a.record);
+  const SavedMap one = made_map(1, 2000);
+  const SavedMap other = made_map(2, 3000);
+  const std::set<std::string> texts = {text_of(one), text_of(other)};
   auto generator = testing::make_generator();
   std::size_t num_left_behind = 0;
   for (int i = 0; i < 40; ++i) {
-    const pid_t child = ::fork();
-    ASSERT_GE(child, 0);
-    if (child == 0) save_for_ever(path, a, b);
-    std::this_thread::sleep_for(std::chrono::microseconds(1000 + generator() % 20000));
+    const pid_t child = begin_saving(path, bytes_of(one), bytes_of(other));
+    ASSERT_GT(child, 0);
+    std::this_thread::sleep_for(std::chrono::microseconds(generator() % 5000));
     ::kill(child, SIGKILL);
     int status = 0;
     ::waitpid(child, &status, 0);

@@ -69,6 +69,8 @@ void add_info(CLI::App& application) {
   CLI::App* info = application.add_subcommand(
       "info", "What is in a log and what is wrong with it, or what is in a map");
   add_log_argument(*info, options->log_path);
+  CLI::Option* const log = info->get_option("log");
+  log->description(log->get_description() + "; or the file or folder of a map");
   info->add_flag("--json", options->is_json, "Print JSON");
   add_log_options(*info, options->log);
   info->get_option("--sensor")->default_str("all");
