@@ -1,0 +1,185 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "benchmarks/localisation/places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Core>
+#include <map>
+#include <span>
+#include <vector>
+
+#include "setsquare/eval/absolute_trajectory_error.hpp"
+#include "setsquare/grid/grid_from_scans.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
+#include "setsquare/mapping/mapper.hpp"
+#include "setsquare/map/map.hpp"
+#include "setsquare/scan/scan_to_points.hpp"
+#include "setsquare/sim/floor_plan_from_cells.hpp"
+#include "setsquare/sim/sensing/robot_path.hpp"
+#include "setsquare/sim/sensing/simulated_scan.hpp"
+
+namespace setsquare::experiments {
+namespace {
+
+/// A random place in free space, nothing nearer than this, any heading.
+constexpr double kClearance_m = 0.3;
+
+Pose2 random_free_pose(const WallDistance& walls, Random& random) {
+  while (true) {
+    const double x_m = random.uniform(0.0, walls.num_columns() * walls.resolution_m());
+    const double y_m = random.uniform(0.0, walls.num_rows() * walls.resolution_m());
+    const CellIndex cell = walls.cell_at(x_m, y_m);
+    if (walls.state(cell) != CellState::kFree || walls.distance_m(cell) < kClearance_m) continue;
+    return {x_m, y_m, random.uniform(-kPi, kPi)};
+  }
+}
+
+SimulatedScan still_scan(const RayCaster& caster,
+                         const std::vector<Person>& people,
+                         const ScannerModel& scanner,
+                         const Pose2& T_map_sensor,
+                         double time_s,
+                         Random& random) {
+  const RobotPath path({T_map_sensor.translation()});
+  return simulate_scan(
+      caster, people, scanner, path, time_s, random, {0.0, 0.0, T_map_sensor.theta_rad});
+}
+
+OccupancyGrid grid_of_route(const Building& building,
+                            const RayCaster& caster,
+                            std::uint64_t seed) {
+  const RobotPath path(building.route_m);
+  Random random(sub_seed(seed, 31));
+  std::vector<SimulatedScan> scans;
+  for (double at_m = 0.0; at_m < path.length_m(); at_m += 0.4) {
+    const double time_s = path.time_at_route_distance(at_m);
+    scans.push_back(
+        simulate_scan(caster, building.people, utm_30lx(), path, time_s, random));
+  }
+  std::vector<PlacedScan> placed;
+  for (const SimulatedScan& scan : scans) placed.push_back({&scan.scan, scan.T_map_base});
+  return grid_from_scans(placed);
+}
+
+}  // namespace
+
+ScannerModel still_scanner(double field_of_view_rad,
+                           std::size_t num_beams,
+                           double noise_m,
+                           double max_range_m) {
+  ScannerModel scanner;
+  scanner.name = "still";
+  scanner.num_beams = num_beams;
+  const bool is_round = field_of_view_rad > kTwoPi - 1e-6;
+  scanner.first_bearing_rad = -0.5 * field_of_view_rad;
+  scanner.bearing_step_rad =
+      field_of_view_rad / static_cast<double>(is_round ? num_beams : num_beams - 1);
+  scanner.min_range_m = 0.02;
+  scanner.max_range_m = max_range_m;
+  scanner.noise_share = 100.0;
+  scanner.near_noise_m = noise_m;
+  scanner.far_noise_m = noise_m;
+  scanner.resolution_m = 0.001;
+  return scanner;
+}
+
+void visit_map_image(const std::string& yaml_path,
+                     const ScannerModel& scanner,
+                     std::size_t num_scans,
+                     std::uint64_t seed,
+                     const VisitPlace& visit) {
+  const OccupancyGrid grid = read_map_pgm_yaml(yaml_path);
+  const KnownMap map(grid);
+  PlanCells cells;
+  cells.T_map_cells = grid.T_map_grid();
+  cells.resolution_m = grid.resolution_m();
+  cells.num_columns = static_cast<std::size_t>(grid.num_columns());
+  cells.num_rows = static_cast<std::size_t>(grid.num_rows());
+  for (const float value : grid.values()) cells.is_filled.push_back(value > 0.0F);
+  const RayCaster caster(floor_plan_from_cells(cells));
+  Random random(seed);
+  for (std::size_t k = 0; k < num_scans; ++k) {
+    const Pose2 T_map_sensor = grid.T_map_grid() * random_free_pose(map.walls(), random);
+    const SimulatedScan scan = still_scan(caster, {}, scanner, T_map_sensor, 0.0, random);
+    visit({map, scan.scan, T_map_sensor});
+  }
+}
+
+void visit_building(BuildingClass building_class,
+                    std::uint64_t seed,
+                    const ScannerModel& scanner,
+                    std::size_t num_scans,
+                    bool is_stranger,
+                    const VisitPlace& visit) {
+  const Building building = make_building(building_class, seed);
+  const RayCaster caster(building.plan);
+  const KnownMap map(grid_of_route(building, caster, seed));
+  if (is_stranger) {
+    const auto& classes = kAllBuildingClasses;
+    const auto at = std::ranges::find(classes, building_class) - classes.begin();
+    const Building other = make_building(
+        classes[static_cast<std::size_t>(at + 1) % classes.size()], seed + 500000);
+    const RayCaster other_caster(other.plan);
+    const KnownMap other_map(grid_of_route(other, other_caster, seed + 500000));
+    Random random(sub_seed(seed, 33));
+    for (std::size_t k = 0; k < num_scans; ++k) {
+      const Pose2 T = other_map.T_map_grid() * random_free_pose(other_map.walls(), random);
+      const SimulatedScan scan = still_scan(other_caster, other.people, scanner, T, 1e4, random);
+      visit({map, scan.scan, std::nullopt});
+    }
+    return;
+  }
+  Random random(sub_seed(seed, 32));
+  for (std::size_t k = 0; k < num_scans; ++k) {
+    const Pose2 T = map.T_map_grid() * random_free_pose(map.walls(), random);
+    // Later than the map: people stand elsewhere.
+    const SimulatedScan scan = still_scan(caster, building.people, scanner, T, 1e4, random);
+    visit({map, scan.scan, T});
+  }
+}
+
+void visit_second_half(const std::string& log_path, double every_m, const VisitPlace& visit) {
+  std::vector<Scan> scans;
+  const auto reader = open_log(log_path);
+  while (const LogRecord* record = reader->next()) scans.push_back(record->scan);
+  Mapper whole;
+  Mapper half;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    whole.add(scans[i]);
+    if (i < scans.size() / 2) half.add(scans[i]);
+  }
+  const Map map = whole.finish();
+  const Map first = half.finish();
+  // The two maps' frames, by the scans that both have.
+  std::vector<PosePair> pairs;
+  for (std::size_t i = 0; i < first.scans.size(); i += 10) {
+    if (!first.scans[i].is_placed || !map.scans[i].is_placed) continue;
+    pairs.push_back({map.scans[i].stamp, map.scans[i].T_map_sensor, first.scans[i].T_map_sensor});
+  }
+  const Pose2 T_first_whole = best_rigid_alignment(pairs);
+  const KnownMap known(occupancy_grid(first));
+  const Pose2 T_grid_map = known.T_map_grid().inverse();
+  Eigen::Vector2d last(1e9, 1e9);
+  for (std::size_t i = scans.size() / 2; i < scans.size(); ++i) {
+    if (!map.scans[i].is_placed) continue;
+    const Pose2 T = T_first_whole * map.scans[i].T_map_sensor;
+    if ((T.translation() - last).norm() < every_m) continue;
+    const PointSet points = points_from_scan(scans[i]);
+    if (points.size() < 20) continue;
+    std::size_t num_near = 0;
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const Eigen::Vector2d at =
+          T_grid_map * (T * Eigen::Vector2d(points.x_m[k], points.y_m[k]));
+      num_near += known.walls()
+                      .slope_at(static_cast<float>(at.x()), static_cast<float>(at.y()))
+                      .distance_m < 0.12F;
+    }
+    if (static_cast<double>(num_near) < 0.45 * static_cast<double>(points.size())) continue;
+    last = T.translation();
+    visit({known, scans[i], T});
+  }
+}
+
+}  // namespace setsquare::experiments
