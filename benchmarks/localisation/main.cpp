@@ -21,30 +21,26 @@ void run_dump(const KnownPlace& place, int group) {
   ++id;
   const auto start = std::chrono::steady_clock::now();
   const SoughtScan sought = sought_scan(place.scan);
-  std::vector<double> rotations;
-  for (const auto& r : propose_rotations(place.map.directions(), sought.prepared.histogram, 8)) {
-    rotations.push_back(r.rotation_rad);
-  }
-  const auto quick = search_places(place.map, sought, rotations, {});
-  const double quick_ms =
-      1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::vector<double> circle;
-  for (int i = 0; i < 120; ++i) circle.push_back(wrap_to_pi(i * kTwoPi / 120));
-  const auto thorough = search_places(place.map, sought, circle, {});
+  const auto thorough = search_places(place.map, sought);
   const double all_ms =
       1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int pass = 0;
   if (place.T_map_sensor) {
     const Pose2 T = place.map.T_map_grid().inverse() * *place.T_map_sensor;
-    const VerifiedPlace p = verified_place(place.map, sought, T);
-    const Pose2 e = T.inverse() * p.T_grid_sensor;
-    std::printf("T %d %.3f %.2f %.4f %.4f\n", id, std::hypot(e.x_m, e.y_m), std::abs(e.theta_rad) * 57.29578, fit_at_place(place.map, sought, p.T_grid_sensor), p.score);
+    const auto st = place.map.walls().state(place.map.walls().cell_at(T.x_m, T.y_m));
+    std::size_t known = 0, total = 0;
+    for (std::size_t b = 0; b < place.scan.num_beams(); b += 4) {
+      if (place.scan.outcome(b) != BeamOutcome::kReturn) continue;
+      const Eigen::Vector2d at = T * (place.scan.ranges_m[b] * Eigen::Vector2d(std::cos(place.scan.bearing_rad(b)), std::sin(place.scan.bearing_rad(b))));
+      ++total;
+      known += place.map.walls().state(place.map.walls().cell_at(at.x(), at.y())) != CellState::kUnknown || place.map.walls().slope_at(float(at.x()), float(at.y())).distance_m < 0.15F;
+    }
+    std::printf("K %d %d %.3f %.3f\n", id, st == CellState::kFree, total ? double(known) / double(total) : 0.0, T.x_m);
   }
-  for (const auto* found : {&quick, &thorough}) {
-    if (found == &quick && std::getenv("ALL") == nullptr) { ++pass; continue; }
-    std::printf("S %d %d %d %.2f %.2f %d\n", id, group, pass, quick_ms, all_ms,
-                place.T_map_sensor.has_value());
-    for (const VerifiedPlace& p : *found) {
+  {
+    pass = 1;
+    std::printf("S %d %d %d %.2f %.2f %d\n", id, group, pass, all_ms, all_ms, place.T_map_sensor.has_value());
+    for (const VerifiedPlace& p : thorough) {
       double error_m = 99.0;
       double error_deg = 180.0;
       if (place.T_map_sensor) {
@@ -53,15 +49,14 @@ void run_dump(const KnownPlace& place, int group) {
         error_deg = std::abs(e.theta_rad) * 57.29578;
       }
       std::printf("P %d %d %.3f %.2f %.4f %.4f", id, pass, error_m, error_deg, p.fit, p.score);
-      const auto& c = p.evidence.constraint;
-      std::printf(" %.4g %.4g %.4g %.4g", p.evidence.distinct_wall_m, c.all_m, c.open_direction_m, c.turning_m3);
+      const auto& c = p.constraint;
+      std::printf(" %.4g %.4g %.4g %.4g", p.distinct_wall_m, c.all_m, c.open_direction_m, c.turning_m3);
       for (const WallKinds& k : {p.kinds.forward, p.kinds.backward}) {
         std::printf(" %.4g %.4g %.4g %.4g %.4g %.4g %.4g %.4g", k.wall_m, k.tight_m, k.loose_m, k.clutter_m,
                   k.contradicted_m, k.hidden_m, k.unexplained_m, k.outside_m);
       }
       std::printf("\n");
     }
-    ++pass;
   }
 }
 
@@ -87,7 +82,7 @@ int main(int argc, char** argv) {
           int which = 0;
           for (const auto& scanner : {utm_30lx(), still_scanner(kPi, 181, 0.02, 30.0), low_cost_360(),
                                       still_scanner(kTwoPi, 360, 0.05, 10.0)}) {
-            visit_building(c, s, scanner, stranger ? 4 : 8, stranger,
+            visit_building(c, s, scanner, 8, stranger,
                            [&](const KnownPlace& p) { run_dump(p, group + which * 100); });
             ++which;
           }

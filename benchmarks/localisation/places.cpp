@@ -47,13 +47,15 @@ SimulatedScan still_scan(const RayCaster& caster,
       caster, people, scanner, path, time_s, random, {0.0, 0.0, T_map_sensor.theta_rad});
 }
 
+/// The grid of a share of the route, from its start on.
 OccupancyGrid grid_of_route(const Building& building,
                             const RayCaster& caster,
-                            std::uint64_t seed) {
+                            std::uint64_t seed,
+                            double share = 1.0) {
   const RobotPath path(building.route_m);
   Random random(sub_seed(seed, 31));
   std::vector<SimulatedScan> scans;
-  for (double at_m = 0.0; at_m < path.length_m(); at_m += 0.4) {
+  for (double at_m = 0.0; at_m < share * path.length_m(); at_m += 0.4) {
     const double time_s = path.time_at_route_distance(at_m);
     scans.push_back(
         simulate_scan(caster, building.people, utm_30lx(), path, time_s, random));
@@ -61,6 +63,34 @@ OccupancyGrid grid_of_route(const Building& building,
   std::vector<PlacedScan> placed;
   for (const SimulatedScan& scan : scans) placed.push_back({&scan.scan, scan.T_map_base});
   return grid_from_scans(placed);
+}
+
+/// The building some time later: of its furniture and clutter a part has moved, a part is gone.
+FloorPlan refurnished(const FloorPlan& plan, Random& random) {
+  constexpr double kMoved = 0.35;
+  constexpr double kGone = 0.15;
+  constexpr double kMove_m = 0.5;
+  FloorPlan later;
+  Eigen::Vector2d move_m = Eigen::Vector2d::Zero();
+  bool is_gone = false;
+  const PlanSegment* last = nullptr;
+  for (const PlanSegment& segment : plan.segments) {
+    const bool continues = last != nullptr && last->material == segment.material &&
+                           (last->end_m - segment.start_m).norm() < 1e-9;
+    if (!continues) {
+      const double fate = random.uniform();
+      const double x_m = kMove_m * random.normal();
+      const double y_m = kMove_m * random.normal();
+      const bool may_move = is_clutter(segment.material);
+      is_gone = may_move && fate < kGone;
+      move_m = may_move && fate < kGone + kMoved ? Eigen::Vector2d(x_m, y_m)
+                                                 : Eigen::Vector2d(0.0, 0.0);
+    }
+    last = &segment;
+    if (is_gone) continue;
+    later.segments.push_back({segment.start_m + move_m, segment.end_m + move_m, segment.material});
+  }
+  return later;
 }
 
 }  // namespace
@@ -111,31 +141,20 @@ void visit_building(BuildingClass building_class,
                     std::uint64_t seed,
                     const ScannerModel& scanner,
                     std::size_t num_scans,
-                    bool is_stranger,
+                    bool is_partly_mapped,
                     const VisitPlace& visit) {
   const Building building = make_building(building_class, seed);
   const RayCaster caster(building.plan);
-  const KnownMap map(grid_of_route(building, caster, seed));
-  if (is_stranger) {
-    const auto& classes = kAllBuildingClasses;
-    const auto at = std::ranges::find(classes, building_class) - classes.begin();
-    const Building other = make_building(
-        classes[static_cast<std::size_t>(at + 1) % classes.size()], seed + 500000);
-    const RayCaster other_caster(other.plan);
-    const KnownMap other_map(grid_of_route(other, other_caster, seed + 500000));
-    Random random(sub_seed(seed, 33));
-    for (std::size_t k = 0; k < num_scans; ++k) {
-      const Pose2 T = other_map.T_map_grid() * random_free_pose(other_map.walls(), random);
-      const SimulatedScan scan = still_scan(other_caster, other.people, scanner, T, 1e4, random);
-      visit({map, scan.scan, std::nullopt});
-    }
-    return;
-  }
+  const double share = is_partly_mapped ? 0.5 : 1.0;
+  const KnownMap map(grid_of_route(building, caster, seed, share));
+  // Places of the whole building, whether they are in the map or not.
+  const KnownMap whole(grid_of_route(building, caster, seed));
   Random random(sub_seed(seed, 32));
+  const RayCaster later(refurnished(building.plan, random));
   for (std::size_t k = 0; k < num_scans; ++k) {
-    const Pose2 T = map.T_map_grid() * random_free_pose(map.walls(), random);
-    // Later than the map: people stand elsewhere.
-    const SimulatedScan scan = still_scan(caster, building.people, scanner, T, 1e4, random);
+    const Pose2 T = whole.T_map_grid() * random_free_pose(whole.walls(), random);
+    // People stand elsewhere by then, too.
+    const SimulatedScan scan = still_scan(later, building.people, scanner, T, 1e4, random);
     visit({map, scan.scan, T});
   }
 }

@@ -43,7 +43,7 @@ void visit_building(BuildingClass building_class,
                     std::uint64_t seed,
                     const ScannerModel& scanner,
                     std::size_t num_scans,
-                    bool is_stranger,
+                    bool is_partly_mapped,
                     const VisitPlace& visit);
 
 /// Scans of the second half of a log in the map of the first, where they overlap by 45 %; places by

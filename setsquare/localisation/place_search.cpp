@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <Eigen/Cholesky>
+#include <limits>
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
@@ -112,16 +113,70 @@ RoughPlace moved_onto_walls(const WallDistance& walls,
   return place;
 }
 
+ComparedBeams compared_beams(const Scan& scan) {
+  constexpr std::size_t kNumBeams = 120;
+  ComparedBeams beams;
+  const std::size_t stride = std::max<std::size_t>(1, scan.num_beams() / kNumBeams);
+  for (std::size_t beam = stride / 2; beam < scan.num_beams(); beam += stride) {
+    const BeamOutcome outcome = scan.outcome(beam);
+    if (outcome == BeamOutcome::kInvalid) continue;
+    beams.bearing_rad.push_back(scan.bearing_rad(beam));
+    beams.range_m.push_back(outcome == BeamOutcome::kReturn ? scan.ranges_m[beam]
+                                                            : std::numeric_limits<double>::infinity());
+  }
+  return beams;
+}
+
+/// How ranges agree with those that are to be expected: 1 where all do, -1 where all go through
+/// walls.
+double range_agreement(const WallDistance& walls,
+                       const ComparedBeams& beams,
+                       double max_range_m,
+                       const Pose2& T) {
+  constexpr double kTolerance_m = 0.3;
+  constexpr double kShort = -0.5;  ///< Something stands before the wall: people, new things.
+  double sum = 0.0;
+  for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
+    const double expected_m = range_to_wall(
+        walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
+    const double range_m = beams.range_m[i];
+    if (std::isnan(expected_m)) continue;
+    if (std::isinf(range_m)) {
+      // No return proves little: dark and slanting things give none.
+      sum += std::isinf(expected_m) ? 0.5 : 0.0;
+      continue;
+    }
+    const double beyond_m = range_m - expected_m;
+    const double tolerance_m = kTolerance_m + 0.02 * range_m;
+    const double u = beyond_m / tolerance_m;
+    if (std::abs(u) < 1.0) {
+      sum += 1.0 - u * u;
+    } else {
+      sum += beyond_m > 0.0 ? -1.0 : kShort;
+    }
+  }
+  return beams.range_m.empty() ? -1.0 : sum / static_cast<double>(beams.range_m.size());
+}
+
+/// On the walls, and range by range.
+double fit_with_ranges(const KnownMap& map, const SoughtScan& scan, const RoughPlace& place) {
+  const double agreement =
+      range_agreement(map.walls(), scan.compared, scan.beams.max_range_m, place.T_grid_sensor);
+  return 0.5 * (place.fit + agreement);
+}
+
 std::vector<MapProposal> propose_places(const KnownMap& map,
                                         const SoughtScan& scan,
-                                        std::span<const double> rotations_rad,
-                                        std::size_t count) {
+                                        const PlaceSearchParams& params) {
   std::vector<MapProposal> proposals;
   MapCorrelation::Scratch scratch;
   int min_correlation = static_cast<int>(scan.proposing.size()) / 3;
-  for (const double rotation_rad : rotations_rad) {
+  for (std::size_t i = 0; i < params.num_rotations; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(params.num_rotations);
+    const double rotation_rad = wrap_to_pi(share * kTwoPi);
     map.correlation().propose(scan.proposing, rotation_rad, min_correlation, scratch, proposals);
-    min_correlation = std::max(min_correlation, keep_best_proposals(count, proposals));
+    min_correlation =
+        std::max(min_correlation, keep_best_proposals(params.num_proposals, proposals));
   }
   return proposals;
 }
@@ -136,6 +191,7 @@ SoughtScan sought_scan(const Scan& scan) {
                                     direction_balanced_weights(points, sought.prepared.histogram),
                                     MapCorrelation::kMaxSamples);
   sought.beams = layout_of(scan);
+  sought.compared = compared_beams(scan);
   return sought;
 }
 
@@ -145,8 +201,6 @@ bool is_one_place(const Pose2& a, const Pose2& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < kSame_m &&
          std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)) < kSame_rad;
 }
-
-double fit_at_place(const KnownMap& map, const SoughtScan& scan, const Pose2& T) { return fit_at(map.walls(), scan.proposing, T); }
 
 VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const Pose2& T_grid_sensor) {
   constexpr std::array<double, 3> kTolerances_m{0.3, 0.2, 0.2};
@@ -165,19 +219,13 @@ VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const 
   const Alignment aligned = align(
       expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
   place.score = score(aligned.evidence, params.score);
-  const TwoWayKinds kinds =
-      wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
-  place.kinds = kinds;
-  place.evidence.kinds = kinds.forward;
-  place.evidence.kinds += kinds.backward;
-  place.evidence.constraint = wall_constraint(refined.pose_hessian);
-  place.evidence.score = place.score;
-  const double tolerance_m = params.score.tolerance_m;
-  place.evidence.one_way_share = one_way_share(
-      {.forward = align_one_way(expected.image(), scan.prepared.fine, T, tolerance_m).evidence,
-       .backward =
-           align_one_way(scan.prepared.image(), expected.fine, T.inverse(), tolerance_m).evidence});
-  place.evidence.distinct_wall_m = distinct_wall_m(
+  place.fit = fit_with_ranges(
+      map,
+      scan,
+      {place.T_grid_sensor, fit_at(map.walls(), scan.proposing, place.T_grid_sensor)});
+  place.kinds = wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
+  place.constraint = wall_constraint(refined.pose_hessian);
+  place.distinct_wall_m = distinct_wall_m(
       expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.distinct_wall);
   place.information = match_information(refined.normal);
   return place;
@@ -185,26 +233,31 @@ VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const 
 
 std::vector<VerifiedPlace> search_places(const KnownMap& map,
                                          const SoughtScan& scan,
-                                         std::span<const double> rotations_rad,
                                          const PlaceSearchParams& params) {
   std::vector<RoughPlace> rough;
-  for (const MapProposal& proposal : propose_places(map, scan, rotations_rad, params.num_proposals)) {
+  for (const MapProposal& proposal : propose_places(map, scan, params)) {
     rough.push_back(moved_onto_walls(map.walls(), scan.proposing, proposal.T_grid_sensor));
   }
   std::stable_sort(
       rough.begin(), rough.end(), [](const auto& a, const auto& b) { return a.fit > b.fit; });
   std::vector<RoughPlace> different;
   for (const RoughPlace& place : rough) {
-    if (different.size() == params.num_verified) break;
+    if (different.size() == params.num_compared) break;
     const bool is_known = std::ranges::any_of(different, [&](const RoughPlace& other) {
       return is_one_place(place.T_grid_sensor, other.T_grid_sensor);
     });
     if (!is_known) different.push_back(place);
   }
+  for (RoughPlace& place : different) {
+    place.fit = fit_with_ranges(map, scan, place);
+  }
+  std::stable_sort(different.begin(), different.end(), [](const auto& a, const auto& b) {
+    return a.fit > b.fit;
+  });
+  if (different.size() > params.num_verified) different.resize(params.num_verified);
   std::vector<VerifiedPlace> verified;
   for (const RoughPlace& place : different) {
     VerifiedPlace found = verified_place(map, scan, place.T_grid_sensor);
-    found.fit = place.fit;
     const bool is_known = std::ranges::any_of(verified, [&](const VerifiedPlace& other) {
       return is_one_place(found.T_grid_sensor, other.T_grid_sensor);
     });

@@ -3,22 +3,30 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
 #include "setsquare/localisation/expected_scan.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/localisation_params.hpp"
-#include "setsquare/matching/probability.hpp"
+#include "setsquare/matching/verdict.hpp"
+#include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
+
+/// Some beams of a scan, evenly over its sweep, that tell how far it is to a wall or how far nothing
+/// is.
+struct ComparedBeams {
+  std::vector<double> bearing_rad;
+  std::vector<double> range_m;  ///< Infinite: nothing within reach.
+};
 
 /// A scan as it is searched for in a map.
 struct SoughtScan {
   PreparedScan prepared;
   SurfaceSamples proposing;  ///< A few dozen, rare directions favoured.
   BeamLayout beams;
+  ComparedBeams compared;
 };
 
 /// Throws ParameterError where the scan's geometry is not valid (Scan::validate).
@@ -27,10 +35,11 @@ struct SoughtScan {
 /// A place compared with the scan that is to be expected there.
 struct VerifiedPlace {
   Pose2 T_grid_sensor;
-  double fit = 0.0;  ///< Of its samples on the walls, free space not looked at: -1 to 1.
-  ProbabilityEvidence evidence;  ///< Without a margin.
-  TwoWayKinds kinds;
-  double score = 0.0;            ///< Of the matcher (score()).
+  double fit = 0.0;  ///< Of samples on the walls and of ranges with the expected ones, -1 to 1.
+  double score = 0.0;  ///< Of the matcher (score()).
+  TwoWayKinds kinds;   ///< The scan's wall on the expected one, and back.
+  WallConstraint constraint;
+  double distinct_wall_m = 0.0;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< In the grid's frame.
 };
 
@@ -45,11 +54,7 @@ struct VerifiedPlace {
 ///    space and all, and refined.
 [[nodiscard]] std::vector<VerifiedPlace> search_places(const KnownMap& map,
                                                        const SoughtScan& scan,
-                                                       std::span<const double> rotations_rad,
-                                                       const PlaceSearchParams& params);
-
-/// D.
-[[nodiscard]] double fit_at_place(const KnownMap& map, const SoughtScan& scan, const Pose2& T);
+                                                       const PlaceSearchParams& params = {});
 
 /// Step 3 alone, of a place that is right within some decimetres and degrees.
 [[nodiscard]] VerifiedPlace verified_place(const KnownMap& map,
