@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "benchmarks/localisation/places.hpp"
+#include "setsquare/localisation/localizer.hpp"
+#include "setsquare/localisation/place_probability.hpp"
 #include "setsquare/localisation/place_search.hpp"
 #include "setsquare/surfaces/angle_histogram.hpp"
 
@@ -48,16 +50,84 @@ void run_dump(const KnownPlace& place, int group) {
         error_m = std::hypot(e.x_m, e.y_m);
         error_deg = std::abs(e.theta_rad) * 57.29578;
       }
-      std::printf("P %d %d %.3f %.2f %.4f %.4f", id, pass, error_m, error_deg, p.fit, p.score);
-      const auto& c = p.constraint;
-      std::printf(" %.4g %.4g %.4g %.4g", p.distinct_wall_m, c.all_m, c.open_direction_m, c.turning_m3);
-      for (const WallKinds& k : {p.kinds.forward, p.kinds.backward}) {
-        std::printf(" %.4g %.4g %.4g %.4g %.4g %.4g %.4g %.4g", k.wall_m, k.tight_m, k.loose_m, k.clutter_m,
-                  k.contradicted_m, k.hidden_m, k.unexplained_m, k.outside_m);
-      }
+      std::printf("P %d %d %.3f %.2f %.3f", id, pass, error_m, error_deg, p.known_share);
+      for (const double f : place_features(p)) std::printf(" %.6g", f);
       std::printf("\n");
     }
   }
+}
+
+/// Starts anew every `every_m` of the second half of a log, and follows each start for `way_m`.
+void run_follow(const std::string& log_path, double every_m, double way_m) {
+  const MappedHalf half = mapped_half(log_path);
+  Eigen::Vector2d last(1e9, 1e9);
+  std::size_t starts = 0, right_end = 0, wrong_end = 0, ever_wrong = 0, wrong_scans = 0, scans = 0, loc_scans = 0;
+  std::vector<double> to_localised_m, errors_m, errors_deg;
+  double worst_sigmas = 0.0;
+  std::size_t beyond = 0;
+  for (std::size_t start = half.scans.size() / 2; start < half.scans.size(); ++start) {
+    if (!half.T_map_sensor[start]) continue;
+    const Pose2& T0 = *half.T_map_sensor[start];
+    if ((T0.translation() - last).norm() < every_m) continue;
+    if (overlap_with_map(*half.map, half.scans[start], T0) < 0.45) continue;
+    // The way ahead overlaps, too.
+    std::size_t end = start;
+    double way = 0.0;
+    bool overlaps = true;
+    while (way < way_m && overlaps && end + 1 < half.scans.size() && half.T_map_sensor[end + 1]) {
+      way += (half.T_map_sensor[end + 1]->translation() - half.T_map_sensor[end]->translation()).norm();
+      ++end;
+      if (end % 10 == 0) overlaps = overlap_with_map(*half.map, half.scans[end], *half.T_map_sensor[end]) > 0.45;
+    }
+    if (way < way_m || !overlaps) continue;
+    last = T0.translation();
+    ++starts;
+    Localizer localizer(half.map);
+    LocalisedPose pose;
+    double driven = 0.0;
+    bool is_localised = false, was_wrong = false, is_wrong = false;
+    for (std::size_t i = start; i <= end; ++i) {
+      pose = localizer.add(half.scans[i]);
+      if (i > start) driven += (half.T_map_sensor[i]->translation() - half.T_map_sensor[i - 1]->translation()).norm();
+      ++scans;
+      is_wrong = false;
+      if (pose.status != LocalisationStatus::kLocalised) continue;
+      ++loc_scans;
+      if (!is_localised) to_localised_m.push_back(driven);
+      is_localised = true;
+      const Pose2 e = half.T_map_sensor[i]->inverse() * pose.T_map_sensor;
+      is_wrong = e.translation().norm() > 0.5 || std::abs(e.theta_rad) > 0.14;
+      wrong_scans += is_wrong;
+      was_wrong |= is_wrong;
+      if (!is_wrong) {
+        errors_m.push_back(e.translation().norm());
+        errors_deg.push_back(std::abs(e.theta_rad) * 57.29578);
+        const double sigmas = e.translation().norm() / std::sqrt(pose.covariance.topLeftCorner<2, 2>().trace());
+        worst_sigmas = std::max(worst_sigmas, sigmas);
+        beyond += sigmas > 3.0;
+      }
+    }
+    const bool at_end = pose.status == LocalisationStatus::kLocalised;
+    right_end += at_end && !is_wrong;
+    wrong_end += at_end && is_wrong;
+    ever_wrong += was_wrong;
+    if (std::getenv("V") != nullptr && (was_wrong || !at_end)) {
+      std::printf("start %zu: %s at end, p %.3f, %s; alternatives %zu\n", start, to_string(pose.status), pose.probability, was_wrong ? "WRONG" : "", pose.alternatives.size());
+    }
+  }
+  const auto median = [](std::vector<double> v) {
+    if (v.empty()) return -1.0;
+    std::sort(v.begin(), v.end());
+    return v[v.size() / 2];
+  };
+  const auto mean = [](const std::vector<double>& v) {
+    double s = 0.0;
+    for (double x : v) s += x;
+    return v.empty() ? -1.0 : s / static_cast<double>(v.size());
+  };
+  std::printf("%s: %zu starts, after %.0f m: right %.3f wrong %zu; ever wrong %zu (%zu of %zu localised scans of %zu); localised after %.2f m (median); error %.4f m %.3f deg (mean), %.4f m (median); beyond 3 sigma %.4f\n",
+              log_path.c_str(), starts, way_m, double(right_end) / double(starts), wrong_end, ever_wrong, wrong_scans, loc_scans, scans,
+              median(to_localised_m), mean(errors_m), mean(errors_deg), median(errors_m), double(beyond) / double(std::max<std::size_t>(1, errors_m.size())));
 }
 
 }  // namespace
@@ -73,6 +143,8 @@ int main(int argc, char** argv) {
     visit_map_image(argv[2], scanner, std::atoi(argv[5]), 1, [](const KnownPlace& p) { run_dump(p, 0); });
   } else if (mode == "half") {
     visit_second_half(argv[2], std::atof(argv[3]), [](const KnownPlace& p) { run_dump(p, 1); });
+  } else if (mode == "follow") {
+    run_follow(argv[2], std::atof(argv[3]), std::atof(argv[4]));
   } else if (mode == "sim") {
     const int seeds = std::atoi(argv[3]);
     for (int s = std::atoi(argv[2]); s < std::atoi(argv[2]) + seeds; ++s) {
@@ -81,7 +153,8 @@ int main(int argc, char** argv) {
         for (const bool stranger : {false, true}) {
           int which = 0;
           for (const auto& scanner : {utm_30lx(), still_scanner(kPi, 181, 0.02, 30.0), low_cost_360(),
-                                      still_scanner(kTwoPi, 360, 0.05, 10.0)}) {
+                                      still_scanner(kTwoPi, 360, 0.05, 10.0),
+                                      still_scanner(1.5 * kPi, 1081, 0.05, 10.0)}) {
             visit_building(c, s, scanner, 8, stranger,
                            [&](const KnownPlace& p) { run_dump(p, group + which * 100); });
             ++which;

@@ -62,7 +62,9 @@ OccupancyGrid grid_of_route(const Building& building,
   }
   std::vector<PlacedScan> placed;
   for (const SimulatedScan& scan : scans) placed.push_back({&scan.scan, scan.T_map_base});
-  return grid_from_scans(placed);
+  GridFromScansParams params;
+  params.resolution_m = seed % 2 == 0 ? 0.05 : 0.1;
+  return grid_from_scans(placed, 0.0, params);
 }
 
 /// The building some time later: of its furniture and clutter a part has moved, a part is gone.
@@ -159,45 +161,59 @@ void visit_building(BuildingClass building_class,
   }
 }
 
-void visit_second_half(const std::string& log_path, double every_m, const VisitPlace& visit) {
-  std::vector<Scan> scans;
+MappedHalf mapped_half(const std::string& log_path) {
+  MappedHalf half;
+  std::vector<Scan>& scans = half.scans;
   const auto reader = open_log(log_path);
   while (const LogRecord* record = reader->next()) scans.push_back(record->scan);
-  Mapper whole;
-  Mapper half;
+  Mapper whole_mapper;
+  Mapper first_mapper;
   for (std::size_t i = 0; i < scans.size(); ++i) {
-    whole.add(scans[i]);
-    if (i < scans.size() / 2) half.add(scans[i]);
+    whole_mapper.add(scans[i]);
+    if (i < scans.size() / 2) first_mapper.add(scans[i]);
   }
-  const Map map = whole.finish();
-  const Map first = half.finish();
+  const Map whole = whole_mapper.finish();
+  const Map first = first_mapper.finish();
   // The two maps' frames, by the scans that both have.
   std::vector<PosePair> pairs;
   for (std::size_t i = 0; i < first.scans.size(); i += 10) {
-    if (!first.scans[i].is_placed || !map.scans[i].is_placed) continue;
-    pairs.push_back({map.scans[i].stamp, map.scans[i].T_map_sensor, first.scans[i].T_map_sensor});
+    if (!first.scans[i].is_placed || !whole.scans[i].is_placed) continue;
+    pairs.push_back(
+        {whole.scans[i].stamp, whole.scans[i].T_map_sensor, first.scans[i].T_map_sensor});
   }
   const Pose2 T_first_whole = best_rigid_alignment(pairs);
-  const KnownMap known(occupancy_grid(first));
-  const Pose2 T_grid_map = known.T_map_grid().inverse();
+  for (const MappedScan& scan : whole.scans) {
+    half.T_map_sensor.push_back(scan.is_placed
+                                    ? std::optional(T_first_whole * scan.T_map_sensor)
+                                    : std::nullopt);
+  }
+  half.map = std::make_shared<const KnownMap>(occupancy_grid(first));
+  return half;
+}
+
+double overlap_with_map(const KnownMap& map, const Scan& scan, const Pose2& T_map_sensor) {
+  const Pose2 T = map.T_map_grid().inverse() * T_map_sensor;
+  const PointSet points = points_from_scan(scan);
+  std::size_t num_near = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Eigen::Vector2d at = T * Eigen::Vector2d(points.x_m[k], points.y_m[k]);
+    num_near += map.walls()
+                    .slope_at(static_cast<float>(at.x()), static_cast<float>(at.y()))
+                    .distance_m < 0.12F;
+  }
+  return points.empty() ? 0.0 : static_cast<double>(num_near) / static_cast<double>(points.size());
+}
+
+void visit_second_half(const std::string& log_path, double every_m, const VisitPlace& visit) {
+  const MappedHalf half = mapped_half(log_path);
   Eigen::Vector2d last(1e9, 1e9);
-  for (std::size_t i = scans.size() / 2; i < scans.size(); ++i) {
-    if (!map.scans[i].is_placed) continue;
-    const Pose2 T = T_first_whole * map.scans[i].T_map_sensor;
+  for (std::size_t i = half.scans.size() / 2; i < half.scans.size(); ++i) {
+    if (!half.T_map_sensor[i]) continue;
+    const Pose2& T = *half.T_map_sensor[i];
     if ((T.translation() - last).norm() < every_m) continue;
-    const PointSet points = points_from_scan(scans[i]);
-    if (points.size() < 20) continue;
-    std::size_t num_near = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-      const Eigen::Vector2d at =
-          T_grid_map * (T * Eigen::Vector2d(points.x_m[k], points.y_m[k]));
-      num_near += known.walls()
-                      .slope_at(static_cast<float>(at.x()), static_cast<float>(at.y()))
-                      .distance_m < 0.12F;
-    }
-    if (static_cast<double>(num_near) < 0.45 * static_cast<double>(points.size())) continue;
+    if (overlap_with_map(*half.map, half.scans[i], T) < 0.45) continue;
     last = T.translation();
-    visit({known, scans[i], T});
+    visit({*half.map, half.scans[i], T});
   }
 }
 

@@ -5,8 +5,10 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/localisation/known_map.hpp"
@@ -45,6 +47,20 @@ void visit_building(BuildingClass building_class,
                     std::size_t num_scans,
                     bool is_partly_mapped,
                     const VisitPlace& visit);
+
+/// A log, the map of its first half, and where the map of the whole has its scans in that map's
+/// frame.
+struct MappedHalf {
+  std::vector<Scan> scans;
+  std::shared_ptr<const KnownMap> map;
+  std::vector<std::optional<Pose2>> T_map_sensor;
+};
+[[nodiscard]] MappedHalf mapped_half(const std::string& log_path);
+
+/// Share of a scan's returns that lie within 12 cm of a wall of the map.
+[[nodiscard]] double overlap_with_map(const KnownMap& map,
+                                      const Scan& scan,
+                                      const Pose2& T_map_sensor);
 
 /// Scans of the second half of a log in the map of the first, where they overlap by 45 %; places by
 /// the map of the whole.

@@ -11,9 +11,8 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// Cells of unknown space that a ray may cross on its way to a wall: next to walls single cells were
-/// never passed.
-constexpr int kMaxUnknownCells = 2;
+/// Unknown space that a ray may cross on its way to a wall: single cells were never passed.
+constexpr double kMaxUnknown_m = 0.3;
 
 }  // namespace
 
@@ -52,7 +51,7 @@ double range_to_wall(const WallDistance& walls,
   };
   land(0.0);
   constexpr double kNear_cells = 4.0;
-  int num_unknown = 0;
+  double known_until = 0.0;
   while (t < end) {
     if (!walls.contains(cell)) return std::numeric_limits<double>::quiet_NaN();
     const CellState state = walls.state(cell);
@@ -61,8 +60,8 @@ double range_to_wall(const WallDistance& walls,
       const double nearest = (cell.column + 0.5 - x) * dx + (cell.row + 0.5 - y) * dy;
       return cell_m * std::clamp(nearest, t, std::max(t, leave));
     }
-    num_unknown = state == CellState::kUnknown ? num_unknown + 1 : 0;
-    if (num_unknown > kMaxUnknownCells) return std::numeric_limits<double>::quiet_NaN();
+    if (state != CellState::kUnknown) known_until = t;
+    if (t - known_until > kMaxUnknown_m / cell_m) return std::numeric_limits<double>::quiet_NaN();
     const double clear = walls.distance_m(cell) / cell_m;
     if (clear > kNear_cells) {
       land(t + clear - 2.0);

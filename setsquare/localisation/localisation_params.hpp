@@ -22,7 +22,7 @@ struct PlaceSearchParams {
 /// How scan after scan is followed in a map. Every default works.
 struct LocalisationParams {
   PlaceSearchParams search;
-  double min_probability = 0.99;  ///< Of one place: localised.
+  double min_probability = 0.97;  ///< Of one place: localised.
   double min_in_map = 0.5;        ///< Of all places together: ambiguous, else lost.
   /// Scans speak for or against places, and are searched for while the place is not known, after
   /// this way or turn: nearer ones tell the same again.

@@ -67,10 +67,11 @@ class Localizer::Parts {
 
   /// The hypotheses moved to where tracking has the scan.
   void move(const TrackedPose& tracked);
-  /// Lays a hypothesis onto the map and weighs what the scan says there.
-  void fix(const SoughtScan& sought, double weight, Hypothesis& hypothesis);
-  /// Adds the places of the whole map that no hypothesis has.
-  void search(const SoughtScan& sought);
+  /// Compares the scan with the map at each hypothesis and, if `searches`, at the best places of
+  /// the whole map, which become hypotheses, too. `weight`: of what the scan says.
+  void weigh(const SoughtScan& sought, double weight, bool searches);
+  /// Lays a hypothesis onto the map where the scan agrees.
+  void fix(const VerifiedPlace& place, Hypothesis& hypothesis);
   /// Keeps what is near the pose that was said, and adds that pose if nothing is.
   void believe_said(const Scan& scan, const SoughtScan& sought);
   void drop_unlikely();
@@ -124,12 +125,37 @@ void Localizer::Parts::move(const TrackedPose& tracked) {
   T_odom_sensor_ = tracked.T_odom_sensor;
 }
 
-void Localizer::Parts::fix(const SoughtScan& sought, double weight, Hypothesis& hypothesis) {
+void Localizer::Parts::weigh(const SoughtScan& sought, double weight, bool searches) {
+  std::vector<VerifiedPlace> places;
+  for (const Hypothesis& hypothesis : hypotheses_) {
+    places.push_back(verified_place(*map_, sought, hypothesis.T_grid_odom * T_odom_sensor_));
+  }
+  const std::size_t num_before = hypotheses_.size();
+  if (searches) {
+    for (const VerifiedPlace& place : search_places(*map_, sought, params_.search)) {
+      const bool is_known = std::ranges::any_of(hypotheses_, [&](const Hypothesis& other) {
+        return is_one_place(other.T_grid_odom * T_odom_sensor_, place.T_grid_sensor);
+      });
+      if (is_known) continue;
+      hypotheses_.push_back({.T_grid_odom = place.T_grid_sensor * T_odom_sensor_.inverse(),
+                             .covariance = covariance_of(place)});
+      places.push_back(place);
+    }
+  }
+  const std::vector<double> log_odds = place_log_odds(places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (!is_outside_map(places[i])) hypotheses_[i].log_odds += weight * log_odds[i];
+    if (i >= num_before || log_odds[i] <= 0.0) continue;
+    fix(places[i], hypotheses_[i]);
+    if (i == 0) {
+      is_confirmed_ = true;
+      unconfirmed_m_ = 0.0;
+    }
+  }
+}
+
+void Localizer::Parts::fix(const VerifiedPlace& place, Hypothesis& hypothesis) {
   const Pose2 predicted = hypothesis.T_grid_odom * T_odom_sensor_;
-  const VerifiedPlace place = verified_place(*map_, sought, predicted);
-  const double log_odds = place_log_odds(place);
-  if (!is_outside_map(place)) hypothesis.log_odds += weight * log_odds;
-  if (log_odds <= 0.0) return;
   const Eigen::Matrix3d information = information_of(place);
   const Eigen::Matrix3d before = hypothesis.covariance.inverse();
   hypothesis.covariance = (before + information).inverse();
@@ -141,27 +167,6 @@ void Localizer::Parts::fix(const SoughtScan& sought, double weight, Hypothesis& 
                     predicted.y_m + change.y(),
                     wrap_to_pi(predicted.theta_rad + change.z())};
   hypothesis.T_grid_odom = fixed * T_odom_sensor_.inverse();
-  if (&hypothesis == &hypotheses_.front()) {
-    is_confirmed_ = true;
-    unconfirmed_m_ = 0.0;
-  }
-}
-
-void Localizer::Parts::search(const SoughtScan& sought) {
-  const double weight = has_weighed_ ? params_.evidence_weight : 1.0;
-  const std::size_t num_before = hypotheses_.size();
-  for (const VerifiedPlace& place : search_places(*map_, sought, params_.search)) {
-    const bool is_known = std::any_of(
-        hypotheses_.begin(),
-        hypotheses_.begin() + static_cast<std::ptrdiff_t>(num_before),
-        [&](const Hypothesis& other) {
-          return is_one_place(other.T_grid_odom * T_odom_sensor_, place.T_grid_sensor);
-        });
-    if (is_known) continue;
-    hypotheses_.push_back({.T_grid_odom = place.T_grid_sensor * T_odom_sensor_.inverse(),
-                           .log_odds = weight * place_log_odds(place),
-                           .covariance = covariance_of(place)});
-  }
 }
 
 void Localizer::Parts::believe_said(const Scan& scan, const SoughtScan& sought) {
@@ -172,7 +177,7 @@ void Localizer::Parts::believe_said(const Scan& scan, const SoughtScan& sought) 
   said_.reset();
   hypotheses_.clear();
   has_weighed_ = false;
-  search(sought);
+  weigh(sought, 1.0, true);
   std::erase_if(hypotheses_, [&](const Hypothesis& hypothesis) {
     return has_moved(said, hypothesis.T_grid_odom * T_odom_sensor_, kNear_m, kNear_rad);
   });
@@ -279,9 +284,8 @@ LocalisedPose Localizer::Parts::add(const Scan& scan, const std::optional<Pose2>
   if (said_) {
     believe_said(scan, sought);
   } else {
-    const double weight = is_evidence ? params_.evidence_weight : 0.0;
-    for (Hypothesis& hypothesis : hypotheses_) fix(sought, weight, hypothesis);
-    if (is_evidence && !was_certain) search(sought);
+    const double weight = !has_weighed_ ? 1.0 : is_evidence ? params_.evidence_weight : 0.0;
+    weigh(sought, weight, is_evidence && !was_certain);
   }
   if (is_evidence) {
     T_odom_weighed_ = T_odom_sensor_;

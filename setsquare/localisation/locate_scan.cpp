@@ -19,9 +19,7 @@ LocalisationStatus status_of(double best, double in_map, const LocalisationParam
 
 LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
   const std::vector<VerifiedPlace> found = search_places(map, sought_scan(scan), params.search);
-  std::vector<double> log_odds;
-  for (const VerifiedPlace& place : found) log_odds.push_back(place_log_odds(place));
-  const std::vector<double> probabilities = place_probabilities(log_odds);
+  const std::vector<double> probabilities = place_probabilities(place_log_odds(found));
   constexpr double kLeast = 0.001;
   LocatedScan located;
   for (std::size_t i = 0; i < found.size(); ++i) {

@@ -12,14 +12,21 @@
 
 namespace setsquare {
 
-inline constexpr std::size_t kNumPlaceFeatures = 23;
+inline constexpr std::size_t kNumPlaceFeatures = 12;
 using PlaceFeatures = std::array<double, kNumPlaceFeatures>;
 
-/// What was measured at a place, as the numbers that its log odds are a weighted sum of.
+/// What was measured at a place, as the numbers that its rank and its odds are weighted sums of.
 [[nodiscard]] PlaceFeatures place_features(const VerifiedPlace& place);
 
-/// Log odds of a place against "somewhere else, or not in the map": what one scan says for it.
-[[nodiscard]] double place_log_odds(const VerifiedPlace& place);
+/// How places of one scan compare: a difference of 1 is a factor of e in probability.
+[[nodiscard]] double place_rank(const PlaceFeatures& features);
+
+/// Log odds that a scan was taken in the map at all, by the best of its places.
+[[nodiscard]] double presence_log_odds(const PlaceFeatures& features);
+
+/// Log odds of each place of one scan against "somewhere else, or not in the map". A place most of
+/// whose scan the map cannot judge is never sure.
+[[nodiscard]] std::vector<double> place_log_odds(std::span<const VerifiedPlace> places);
 
 /// Probabilities of places, of which at most one is right, from their log odds: they sum to less
 /// than 1, the rest is "somewhere else".

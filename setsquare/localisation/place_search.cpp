@@ -158,6 +158,35 @@ double range_agreement(const WallDistance& walls,
   return beams.range_m.empty() ? -1.0 : sum / static_cast<double>(beams.range_m.size());
 }
 
+/// Of the returns, the share that lies on walls or where the map knows what is there.
+double known_share(const WallDistance& walls, const ComparedBeams& beams, const Pose2& T) {
+  constexpr float kNearWall_m = 0.15F;
+  std::size_t num_returns = 0;
+  std::size_t num_known = 0;
+  for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
+    if (std::isinf(beams.range_m[i])) continue;
+    const double bearing_rad = T.theta_rad + beams.bearing_rad[i];
+    const double x_m = T.x_m + beams.range_m[i] * std::cos(bearing_rad);
+    const double y_m = T.y_m + beams.range_m[i] * std::sin(bearing_rad);
+    ++num_returns;
+    const bool is_near_wall =
+        walls.slope_at(static_cast<float>(x_m), static_cast<float>(y_m)).distance_m < kNearWall_m;
+    num_known += is_near_wall || walls.state(walls.cell_at(x_m, y_m)) != CellState::kUnknown;
+  }
+  return num_returns > 0 ? static_cast<double>(num_known) / static_cast<double>(num_returns) : 0.0;
+}
+
+/// Of the samples' wall, the share on which no line fits.
+double unlined_share(const SurfaceSamples& samples) {
+  float all_m = 0.0F;
+  float unlined_m = 0.0F;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    all_m += samples.weight_m[i];
+    if (samples.normal_x[i] == 0.0F && samples.normal_y[i] == 0.0F) unlined_m += samples.weight_m[i];
+  }
+  return all_m > 0.0F ? unlined_m / all_m : 1.0;
+}
+
 /// On the walls, and range by range.
 double fit_with_ranges(const KnownMap& map, const SoughtScan& scan, const RoughPlace& place) {
   const double agreement =
@@ -219,6 +248,8 @@ VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const 
   const Alignment aligned = align(
       expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
   place.score = score(aligned.evidence, params.score);
+  place.unlined_share = unlined_share(scan.prepared.fine);
+  place.known_share = known_share(map.walls(), scan.compared, place.T_grid_sensor);
   place.fit = fit_with_ranges(
       map,
       scan,
