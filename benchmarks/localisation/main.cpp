@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "benchmarks/localisation/places.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/localisation/localizer.hpp"
 #include "setsquare/localisation/place_probability.hpp"
 #include "setsquare/localisation/place_search.hpp"
@@ -91,6 +93,17 @@ void run_follow(const std::string& log_path, double every_m, double way_m) {
       if (i > start) driven += (half.T_map_sensor[i]->translation() - half.T_map_sensor[i - 1]->translation()).norm();
       ++scans;
       is_wrong = false;
+      if (std::getenv("D") && start == std::size_t(std::atoi(std::getenv("D"))) && i % 12 == 0) {
+        const SoughtScan so = sought_scan(half.scans[i]);
+        const Pose2 Tg = half.map->T_map_grid().inverse();
+        for (const Pose2& T : {*half.T_map_sensor[i], pose.T_map_sensor}) {
+          const VerifiedPlace v = verified_place(*half.map, so, Tg * T);
+          const auto f = place_features(v);
+          std::printf("%zu driven %.1f p %.3f %s: rank %.2f presence %.2f known %.2f |", i, driven, pose.probability, to_string(pose.status), place_rank(f), presence_log_odds(f), v.known_share);
+          for (double x : f) std::printf(" %.2f", x);
+          std::printf("\n");
+        }
+      }
       if (pose.status != LocalisationStatus::kLocalised) continue;
       ++loc_scans;
       if (!is_localised) to_localised_m.push_back(driven);
@@ -112,7 +125,8 @@ void run_follow(const std::string& log_path, double every_m, double way_m) {
     wrong_end += at_end && is_wrong;
     ever_wrong += was_wrong;
     if (std::getenv("V") != nullptr && (was_wrong || !at_end)) {
-      std::printf("start %zu: %s at end, p %.3f, %s; alternatives %zu\n", start, to_string(pose.status), pose.probability, was_wrong ? "WRONG" : "", pose.alternatives.size());
+      const Pose2 t = half.T_map_sensor[end] ? *half.T_map_sensor[end] : Pose2{};
+      std::printf("start %zu: %s at end, p %.3f, %s; alternatives %zu; at %.1f %.1f %.0f truth %.1f %.1f %.0f\n", start, to_string(pose.status), pose.probability, was_wrong ? "WRONG" : "", pose.alternatives.size(), pose.T_map_sensor.x_m, pose.T_map_sensor.y_m, pose.T_map_sensor.theta_rad * 57.3, t.x_m, t.y_m, t.theta_rad * 57.3);
     }
   }
   const auto median = [](std::vector<double> v) {
@@ -143,6 +157,15 @@ int main(int argc, char** argv) {
     visit_map_image(argv[2], scanner, std::atoi(argv[5]), 1, [](const KnownPlace& p) { run_dump(p, 0); });
   } else if (mode == "half") {
     visit_second_half(argv[2], std::atof(argv[3]), [](const KnownPlace& p) { run_dump(p, 1); });
+  } else if (mode == "dbg") {
+    const KnownMap map(read_map_pgm_yaml(argv[2]));
+    const auto reader = open_log(argv[3]);
+    const Scan scan = reader->next()->scan;
+    for (const auto& v : search_places(map, sought_scan(scan))) {
+      std::printf("%.2f %.2f %.0f:", v.T_grid_sensor.x_m, v.T_grid_sensor.y_m, v.T_grid_sensor.theta_rad * 57.3);
+      for (double f : place_features(v)) std::printf(" %.2f", f);
+      std::printf(" | wall %.2f out %.2f\n", v.kinds.forward.wall_m, v.kinds.forward.outside_m);
+    }
   } else if (mode == "follow") {
     run_follow(argv[2], std::atof(argv[3]), std::atof(argv[4]));
   } else if (mode == "sim") {

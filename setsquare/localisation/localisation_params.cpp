@@ -29,6 +29,7 @@ void LocalisationParams::validate() const {
   require_not_negative(fix_m, "fix_m");
   require_not_negative(fix_rad, "fix_rad");
   require_share(evidence_weight, "evidence_weight");
+  require_not_negative(settled_m, "settled_m");
   require_positive(max_log_odds, "max_log_odds");
   require_positive(max_unconfirmed_m, "max_unconfirmed_m");
 }

@@ -65,11 +65,22 @@ class Localizer::Parts {
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   };
 
+  /// A scan that spoke for or against places.
+  struct PastScan {
+    SoughtScan scan;
+    Pose2 T_odom_sensor;
+    PlaceScale scale;
+    double weight = 0.0;
+  };
+  static constexpr std::size_t kMaxPast = 8;
+
   /// The hypotheses moved to where tracking has the scan.
   void move(const TrackedPose& tracked);
   /// Compares the scan with the map at each hypothesis and, if `searches`, at the best places of
   /// the whole map, which become hypotheses, too. `weight`: of what the scan says.
   void weigh(const SoughtScan& sought, double weight, bool searches);
+  /// What the scans of before say for a place that was not among their best.
+  [[nodiscard]] double log_odds_of_past(const Hypothesis& hypothesis) const;
   /// Lays a hypothesis onto the map where the scan agrees.
   void fix(const VerifiedPlace& place, Hypothesis& hypothesis);
   /// Keeps what is near the pose that was said, and adds that pose if nothing is.
@@ -82,12 +93,14 @@ class Localizer::Parts {
   LocalisationParams params_;
   ScanTracker tracker_;
   std::vector<Hypothesis> hypotheses_;  ///< The most probable first.
+  std::vector<PastScan> past_;          ///< The latest of them.
   std::optional<Pose2> said_;
   Pose2 T_odom_sensor_;    ///< Of the last scan.
   Pose2 T_odom_fixed_;     ///< Of the last scan that was laid onto the map.
   Pose2 T_odom_weighed_;   ///< Of the last one that spoke for or against places.
   bool has_weighed_ = false;
   bool is_confirmed_ = false;
+  double certain_m_ = 0.0;  ///< Driven since one place became certain.
   double unconfirmed_m_ = 0.0;
   std::size_t num_scans_ = 0;
 };
@@ -122,6 +135,7 @@ void Localizer::Parts::move(const TrackedPose& tracked) {
     }
   }
   unconfirmed_m_ += way_m;
+  certain_m_ += way_m;
   T_odom_sensor_ = tracked.T_odom_sensor;
 }
 
@@ -142,16 +156,33 @@ void Localizer::Parts::weigh(const SoughtScan& sought, double weight, bool searc
       places.push_back(place);
     }
   }
-  const std::vector<double> log_odds = place_log_odds(places);
+  if (places.empty()) return;
+  const PlaceScale scale = place_scale(places);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (!is_outside_map(places[i])) hypotheses_[i].log_odds += weight * log_odds[i];
-    if (i >= num_before || log_odds[i] <= 0.0) continue;
-    fix(places[i], hypotheses_[i]);
+    Hypothesis& hypothesis = hypotheses_[i];
+    if (i >= num_before) hypothesis.log_odds = log_odds_of_past(hypothesis);
+    const double log_odds = place_log_odds(places[i], scale);
+    if (!is_outside_map(places[i])) hypothesis.log_odds += weight * log_odds;
+    if (i >= num_before || log_odds <= 0.0) continue;
+    fix(places[i], hypothesis);
     if (i == 0) {
       is_confirmed_ = true;
       unconfirmed_m_ = 0.0;
     }
   }
+  if (weight == 0.0) return;
+  if (past_.size() == kMaxPast) past_.erase(past_.begin());
+  past_.push_back({sought, T_odom_sensor_, scale, weight});
+}
+
+double Localizer::Parts::log_odds_of_past(const Hypothesis& hypothesis) const {
+  double log_odds = 0.0;
+  for (const PastScan& past : past_) {
+    const VerifiedPlace place =
+        verified_place(*map_, past.scan, hypothesis.T_grid_odom * past.T_odom_sensor);
+    if (!is_outside_map(place)) log_odds += past.weight * place_log_odds(place, past.scale);
+  }
+  return log_odds;
 }
 
 void Localizer::Parts::fix(const VerifiedPlace& place, Hypothesis& hypothesis) {
@@ -176,6 +207,7 @@ void Localizer::Parts::believe_said(const Scan& scan, const SoughtScan& sought) 
   const Pose2 said = map_->T_map_grid().inverse() * *said_ * scan.T_base_sensor;
   said_.reset();
   hypotheses_.clear();
+  past_.clear();
   has_weighed_ = false;
   weigh(sought, 1.0, true);
   std::erase_if(hypotheses_, [&](const Hypothesis& hypothesis) {
@@ -262,12 +294,15 @@ LocalisedPose Localizer::Parts::add(const Scan& scan, const std::optional<Pose2>
   if (tracked.is_restart && !is_first && !tracked.has_odometry) {
     // Where it went meanwhile is not known: begin anew.
     hypotheses_.clear();
+    past_.clear();
     has_weighed_ = false;
   }
   move(tracked);
   is_confirmed_ = false;
 
   const bool was_certain = is_certain() && unconfirmed_m_ <= params_.max_unconfirmed_m;
+  // Places that look as well may have been missed so far.
+  const bool is_settled = was_certain && certain_m_ > params_.settled_m;
   const bool is_evidence =
       !has_weighed_ || said_ ||
       has_moved(T_odom_weighed_, T_odom_sensor_, params_.evidence_m, params_.evidence_rad);
@@ -285,8 +320,9 @@ LocalisedPose Localizer::Parts::add(const Scan& scan, const std::optional<Pose2>
     believe_said(scan, sought);
   } else {
     const double weight = !has_weighed_ ? 1.0 : is_evidence ? params_.evidence_weight : 0.0;
-    weigh(sought, weight, is_evidence && !was_certain);
+    weigh(sought, weight, is_evidence && !is_settled);
   }
+  if (!is_certain()) certain_m_ = 0.0;
   if (is_evidence) {
     T_odom_weighed_ = T_odom_sensor_;
     has_weighed_ = true;

@@ -19,7 +19,10 @@ LocalisationStatus status_of(double best, double in_map, const LocalisationParam
 
 LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
   const std::vector<VerifiedPlace> found = search_places(map, sought_scan(scan), params.search);
-  const std::vector<double> probabilities = place_probabilities(place_log_odds(found));
+  const PlaceScale scale = place_scale(found);
+  std::vector<double> log_odds;
+  for (const VerifiedPlace& place : found) log_odds.push_back(place_log_odds(place, scale));
+  const std::vector<double> probabilities = place_probabilities(log_odds);
   constexpr double kLeast = 0.001;
   LocatedScan located;
   for (std::size_t i = 0; i < found.size(); ++i) {

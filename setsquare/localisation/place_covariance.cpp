@@ -14,7 +14,7 @@ namespace {
 /// Turns are weighed as what they move at this distance, so that directions compare.
 constexpr double kLever_m = 5.0;
 /// Walls in a map of cells are no better known than this ...
-constexpr double kMapSigma_m = 0.02;
+constexpr double kMapSigma_m = 0.025;
 /// ... and places are searched about as wide as this.
 constexpr double kSearched_m = 0.5;
 

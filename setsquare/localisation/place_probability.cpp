@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace setsquare {
@@ -71,21 +72,21 @@ double presence_log_odds(const PlaceFeatures& features) {
   return weighted(features, kPresenceWeights) + kPresenceConstant;
 }
 
-std::vector<double> place_log_odds(std::span<const VerifiedPlace> places) {
+PlaceScale place_scale(std::span<const VerifiedPlace> places) {
+  PlaceScale scale{.best_rank = -std::numeric_limits<double>::infinity()};
+  for (const VerifiedPlace& place : places) {
+    const PlaceFeatures features = place_features(place);
+    const double rank = place_rank(features);
+    if (rank > scale.best_rank) scale = {rank, presence_log_odds(features)};
+  }
+  return scale;
+}
+
+double place_log_odds(const VerifiedPlace& place, const PlaceScale& scale) {
   constexpr double kMinKnown = 0.75;  // Of the returns; with less ...
   constexpr double kUnsure = 2.0;     // ... no place is surer than this.
-  if (places.empty()) return {};
-  std::vector<double> log_odds;
-  for (const VerifiedPlace& place : places) log_odds.push_back(place_rank(place_features(place)));
-  const auto best = std::ranges::max_element(log_odds);
-  const double best_rank = *best;
-  const double presence = presence_log_odds(
-      place_features(places[static_cast<std::size_t>(best - log_odds.begin())]));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    log_odds[i] += presence - best_rank;
-    if (places[i].known_share < kMinKnown) log_odds[i] = std::min(log_odds[i], kUnsure);
-  }
-  return log_odds;
+  const double log_odds = scale.presence + place_rank(place_features(place)) - scale.best_rank;
+  return place.known_share < kMinKnown ? std::min(log_odds, kUnsure) : log_odds;
 }
 
 std::vector<double> place_probabilities(std::span<const double> log_odds) {

@@ -24,9 +24,18 @@ using PlaceFeatures = std::array<double, kNumPlaceFeatures>;
 /// Log odds that a scan was taken in the map at all, by the best of its places.
 [[nodiscard]] double presence_log_odds(const PlaceFeatures& features);
 
-/// Log odds of each place of one scan against "somewhere else, or not in the map". A place most of
+/// By what places of one scan are judged: the best of them.
+struct PlaceScale {
+  double best_rank = 0.0;
+  double presence = 0.0;  ///< Log odds that the scan was taken in the map.
+};
+
+/// Of at least one place.
+[[nodiscard]] PlaceScale place_scale(std::span<const VerifiedPlace> places);
+
+/// Log odds of a place of the scan against "somewhere else, or not in the map". A place most of
 /// whose scan the map cannot judge is never sure.
-[[nodiscard]] std::vector<double> place_log_odds(std::span<const VerifiedPlace> places);
+[[nodiscard]] double place_log_odds(const VerifiedPlace& place, const PlaceScale& scale);
 
 /// Probabilities of places, of which at most one is right, from their log odds: they sum to less
 /// than 1, the rest is "somewhere else".

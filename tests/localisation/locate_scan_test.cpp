@@ -116,9 +116,9 @@ TEST(LocateScan, PlacesMoveWithTheMapsFrame) {
     const Pose2 expected = T_other_map * a.places[i].T_map_sensor;
     EXPECT_NEAR(distance_m(b.places[i].T_map_sensor, expected), 0.0, 1e-9);
     EXPECT_NEAR(a.places[i].probability, b.places[i].probability, 1e-12);
-    EXPECT_NEAR(a.places[i].covariance.topLeftCorner<2, 2>().trace(),
-                b.places[i].covariance.topLeftCorner<2, 2>().trace(),
-                1e-9);
+    const Eigen::Matrix2d before = a.places[i].covariance.topLeftCorner<2, 2>();
+    const Eigen::Matrix2d after = b.places[i].covariance.topLeftCorner<2, 2>();
+    EXPECT_NEAR(before.trace(), after.trace(), 1e-9);
   }
 }
 
