@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
+#include <span>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
@@ -79,6 +80,11 @@ class Localizer::Parts {
   /// Compares the scan with the map at each hypothesis and, if `searches`, at the best places of
   /// the whole map, which become hypotheses, too. `weight`: of what the scan says.
   void weigh(const SoughtScan& sought, double weight, bool searches);
+  /// Whether a place that was found is another than those of the hypotheses, whose log odds by this
+  /// scan are given.
+  [[nodiscard]] bool is_another_place(const VerifiedPlace& place,
+                                      double log_odds,
+                                      std::span<const double> log_odds_of_hypotheses) const;
   /// What the scans of before say for a place that was not among their best.
   [[nodiscard]] double log_odds_of_past(const Hypothesis& hypothesis) const;
   /// Lays a hypothesis onto the map where the scan agrees.
@@ -147,42 +153,65 @@ void Localizer::Parts::weigh(const SoughtScan& sought, double weight, bool searc
   const std::size_t num_before = hypotheses_.size();
   if (searches) {
     for (const VerifiedPlace& place : search_places(*map_, sought, params_.search)) {
-      const bool is_known = std::ranges::any_of(hypotheses_, [&](const Hypothesis& other) {
-        return is_one_place(other.T_grid_odom * T_odom_sensor_, place.T_grid_sensor);
-      });
-      if (is_known) continue;
-      hypotheses_.push_back({.T_grid_odom = place.T_grid_sensor * T_odom_sensor_.inverse(),
-                             .covariance = covariance_of(place)});
       places.push_back(place);
     }
   }
   if (places.empty()) return;
   const PlaceScale scale = place_scale(places);
-  for (std::size_t i = 0; i < places.size(); ++i) {
+  std::vector<double> log_odds;
+  for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
+  std::vector<Hypothesis> found;
+  for (std::size_t i = num_before; i < places.size(); ++i) {
+    if (!is_another_place(places[i], log_odds[i], std::span(log_odds).first(num_before))) continue;
+    Hypothesis hypothesis{.T_grid_odom = places[i].T_grid_sensor * T_odom_sensor_.inverse(),
+                          .covariance = covariance_of(places[i])};
+    hypothesis.log_odds = log_odds_of_past(hypothesis) + weight * log_odds[i];
+    found.push_back(hypothesis);
+  }
+  for (std::size_t i = 0; i < num_before; ++i) {
     Hypothesis& hypothesis = hypotheses_[i];
-    if (i >= num_before) hypothesis.log_odds = log_odds_of_past(hypothesis);
-    const double log_odds = place_log_odds(places[i], scale);
-    if (!is_outside_map(places[i])) hypothesis.log_odds += weight * log_odds;
-    if (i >= num_before || log_odds <= 0.0) continue;
+    if (!is_outside_map(places[i])) hypothesis.log_odds += weight * log_odds[i];
+    if (log_odds[i] <= 0.0) continue;
     fix(places[i], hypothesis);
     if (i == 0) {
       is_confirmed_ = true;
       unconfirmed_m_ = 0.0;
     }
   }
+  hypotheses_.insert(hypotheses_.end(), found.begin(), found.end());
   if (weight == 0.0) return;
   if (past_.size() == kMaxPast) past_.erase(past_.begin());
   past_.push_back({sought, T_odom_sensor_, scale, weight});
 }
 
+bool Localizer::Parts::is_another_place(const VerifiedPlace& place,
+                                        double log_odds,
+                                        std::span<const double> log_odds_of_hypotheses) const {
+  // The walls about the right place show others that fit a little less.
+  constexpr double kBeside_m = 1.0;
+  constexpr double kBeside_rad = rad_from_deg(20.0);
+  constexpr double kClearlyBetter = 2.0;
+  for (std::size_t i = 0; i < log_odds_of_hypotheses.size(); ++i) {
+    const Pose2 T = hypotheses_[i].T_grid_odom * T_odom_sensor_;
+    if (is_one_place(T, place.T_grid_sensor)) return false;
+    const bool is_beside = !has_moved(T, place.T_grid_sensor, kBeside_m, kBeside_rad);
+    if (is_beside && log_odds < log_odds_of_hypotheses[i] + kClearlyBetter) return false;
+  }
+  return true;
+}
+
 double Localizer::Parts::log_odds_of_past(const Hypothesis& hypothesis) const {
-  double log_odds = 0.0;
+  double against_elsewhere = 0.0;
+  double against_best = hypotheses_.empty() ? 0.0 : hypotheses_.front().log_odds;
   for (const PastScan& past : past_) {
     const VerifiedPlace place =
         verified_place(*map_, past.scan, hypothesis.T_grid_odom * past.T_odom_sensor);
-    if (!is_outside_map(place)) log_odds += past.weight * place_log_odds(place, past.scale);
+    if (is_outside_map(place)) continue;
+    const double log_odds = past.weight * place_log_odds(place, past.scale);
+    against_elsewhere += log_odds;
+    against_best += log_odds - past.weight * past.scale.presence;
   }
-  return log_odds;
+  return hypotheses_.empty() ? against_elsewhere : std::min(against_elsewhere, against_best);
 }
 
 void Localizer::Parts::fix(const VerifiedPlace& place, Hypothesis& hypothesis) {
@@ -261,6 +290,12 @@ LocalisedPose Localizer::Parts::answer(const Scan& scan) const {
   std::vector<double> log_odds;
   for (const Hypothesis& hypothesis : hypotheses_) log_odds.push_back(hypothesis.log_odds);
   const std::vector<double> probabilities = place_probabilities(log_odds);
+  // How far the map's walls are off just there is the same for all scans: it does not average out.
+  constexpr double kWalls_m = 0.015;
+  constexpr double kWalls_rad = rad_from_deg(0.2);
+  const Eigen::Matrix3d walls_own =
+      Eigen::Vector3d(kWalls_m * kWalls_m, kWalls_m * kWalls_m, kWalls_rad * kWalls_rad)
+          .asDiagonal();
   double in_map = 0.0;
   constexpr double kLeast = 0.001;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
@@ -268,7 +303,7 @@ LocalisedPose Localizer::Parts::answer(const Scan& scan) const {
     const PossiblePlace place{
         map_->T_map_grid() * hypotheses_[i].T_grid_odom * T_odom_sensor_,
         probabilities[i],
-        turned_covariance(hypotheses_[i].covariance, map_->T_map_grid().theta_rad)};
+        turned_covariance(hypotheses_[i].covariance + walls_own, map_->T_map_grid().theta_rad)};
     if (i == 0) {
       pose.T_map_sensor = place.T_map_sensor;
       pose.T_map_base = place.T_map_sensor * scan.T_base_sensor.inverse();
