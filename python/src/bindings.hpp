@@ -15,6 +15,7 @@ void bind_logs(pybind11::module_& module);
 void bind_grids(pybind11::module_& module);
 void bind_maps(pybind11::module_& module);
 void bind_mapping(pybind11::module_& module);
+void bind_localisation(pybind11::module_& module);
 void bind_evaluation(pybind11::module_& module);
 void bind_simulation(pybind11::module_& module);
 

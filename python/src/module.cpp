@@ -14,6 +14,7 @@ PYBIND11_MODULE(_core, module) {
   bind_grids(module);
   bind_maps(module);
   bind_mapping(module);
+  bind_localisation(module);
   bind_evaluation(module);
   bind_simulation(module);
 }

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "apps/setsquare/outputs/output_set.hpp"
+#include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/pipeline/localize_log.hpp"
+
+namespace setsquare::app {
+
+/// The files that `setsquare localize` writes.
+[[nodiscard]] std::vector<std::string> localize_output_names();
+
+/// trajectory.tum (of the scans that were localised), localisation.tsv (a row per scan),
+/// localisation.png (the map and the way) and run.json. Throws FileError.
+void write_localize_outputs(OutputSet& outputs,
+                            const LocalizedLog& log,
+                            const OccupancyGrid& grid,
+                            const std::string& map_name,
+                            PoseOf pose_of);
+
+}  // namespace setsquare::app

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/localisation/expected_scan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace setsquare {
+namespace {
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+/// Unknown space that a ray may cross on its way to a wall: single cells were never passed.
+constexpr double kMaxUnknown_m = 0.3;
+
+}  // namespace
+
+double range_to_wall(const WallDistance& walls,
+                     double x_m,
+                     double y_m,
+                     double bearing_rad,
+                     double max_range_m) {
+  // Everything in cells. Far from walls the ray jumps as far as none can be; near them it goes from
+  // cell to cell (Amanatides and Woo 1987).
+  const double cell_m = walls.resolution_m();
+  const double x = x_m / cell_m;
+  const double y = y_m / cell_m;
+  const double dx = std::cos(bearing_rad);
+  const double dy = std::sin(bearing_rad);
+  const double end = max_range_m / cell_m;
+  const int step_x = dx >= 0.0 ? 1 : -1;
+  const int step_y = dy >= 0.0 ? 1 : -1;
+  const double per_column = std::abs(dx) > 1e-12 ? 1.0 / std::abs(dx) : kNever;
+  const double per_row = std::abs(dy) > 1e-12 ? 1.0 / std::abs(dy) : kNever;
+
+  double t = 0.0;
+  CellIndex cell{};
+  double next_column = 0.0;
+  double next_row = 0.0;
+  const auto land = [&](double at) {
+    t = at;
+    const double px = x + t * dx;
+    const double py = y + t * dy;
+    cell = {static_cast<std::int32_t>(std::floor(px)), static_cast<std::int32_t>(std::floor(py))};
+    next_column = per_column == kNever
+                      ? kNever
+                      : t + ((step_x > 0 ? cell.column + 1 : cell.column) - px) / dx;
+    next_row =
+        per_row == kNever ? kNever : t + ((step_y > 0 ? cell.row + 1 : cell.row) - py) / dy;
+  };
+  land(0.0);
+  constexpr double kNear_cells = 4.0;
+  double known_until = 0.0;
+  while (t < end) {
+    if (!walls.contains(cell)) return std::numeric_limits<double>::quiet_NaN();
+    const CellState state = walls.state(cell);
+    if (state == CellState::kOccupied) {
+      const double leave = std::min(next_column, next_row);
+      const double nearest = (cell.column + 0.5 - x) * dx + (cell.row + 0.5 - y) * dy;
+      return cell_m * std::clamp(nearest, t, std::max(t, leave));
+    }
+    if (state != CellState::kUnknown) known_until = t;
+    if (t - known_until > kMaxUnknown_m / cell_m) return std::numeric_limits<double>::quiet_NaN();
+    const double clear = walls.distance_m(cell) / cell_m;
+    if (clear > kNear_cells) {
+      land(t + clear - 2.0);
+    } else if (next_column < next_row) {
+      t = next_column;
+      next_column += per_column;
+      cell.column += step_x;
+    } else {
+      t = next_row;
+      next_row += per_row;
+      cell.row += step_y;
+    }
+  }
+  return kNever;
+}
+
+BeamLayout layout_of(const Scan& scan) {
+  constexpr double kMinStep_rad = rad_from_deg(0.5);
+  constexpr double kMaxRange_m = 30.0;
+  BeamLayout layout{.first_bearing_rad = scan.first_bearing_rad,
+                    .bearing_step_rad = scan.bearing_step_rad,
+                    .num_beams = scan.num_beams(),
+                    .max_range_m = std::min(kMaxRange_m, scan.max_range_m)};
+  const double step_rad = std::abs(scan.bearing_step_rad);
+  if (step_rad > 0.0 && step_rad < kMinStep_rad && scan.num_beams() > 1) {
+    const auto num_steps = static_cast<std::size_t>(
+        std::max(1.0, std::floor(scan.field_of_view_rad() / kMinStep_rad + 0.5)));
+    layout.num_beams = num_steps + 1;
+    layout.bearing_step_rad =
+        std::copysign(scan.field_of_view_rad() / static_cast<double>(num_steps), scan.bearing_step_rad);
+  }
+  return layout;
+}
+
+Scan expected_scan(const WallDistance& walls, const BeamLayout& beams, const Pose2& T_grid_sensor) {
+  Scan scan;
+  scan.first_bearing_rad = beams.first_bearing_rad;
+  scan.bearing_step_rad = beams.bearing_step_rad;
+  scan.max_range_m = beams.max_range_m;
+  scan.ranges_m.reserve(beams.num_beams);
+  for (std::size_t beam = 0; beam < beams.num_beams; ++beam) {
+    scan.ranges_m.push_back(range_to_wall(walls,
+                                          T_grid_sensor.x_m,
+                                          T_grid_sensor.y_m,
+                                          T_grid_sensor.theta_rad + scan.bearing_rad(beam),
+                                          beams.max_range_m));
+  }
+  return scan;
+}
+
+}  // namespace setsquare

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/localisation/localisation_params.hpp"
+
+#include "setsquare/core/parameter_checks.hpp"
+
+namespace setsquare {
+namespace {
+
+void require_share(double value, const char* name) {
+  if (!(value >= 0.0 && value <= 1.0)) throw ParameterError(name, "must be from 0 to 1");
+}
+
+}  // namespace
+
+void PlaceSearchParams::validate() const {
+  require_at_least_one(num_rotations, "search.num_rotations");
+  require_at_least_one(num_proposals, "search.num_proposals");
+  require_at_least_one(num_compared, "search.num_compared");
+  require_at_least_one(num_verified, "search.num_verified");
+}
+
+void LocalisationParams::validate() const {
+  search.validate();
+  require_share(min_probability, "min_probability");
+  require_share(min_in_map, "min_in_map");
+  require_not_negative(evidence_m, "evidence_m");
+  require_not_negative(evidence_rad, "evidence_rad");
+  require_not_negative(fix_m, "fix_m");
+  require_not_negative(fix_rad, "fix_rad");
+  require_share(evidence_weight, "evidence_weight");
+  require_not_negative(settled_m, "settled_m");
+  require_positive(max_log_odds, "max_log_odds");
+  require_positive(max_unconfirmed_m, "max_unconfirmed_m");
+}
+
+}  // namespace setsquare

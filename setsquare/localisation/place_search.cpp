@@ -1,0 +1,303 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/localisation/place_search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <Eigen/Cholesky>
+#include <limits>
+#include <utility>
+
+#include "setsquare/core/angle.hpp"
+#include "setsquare/matching/distinct_wall.hpp"
+#include "setsquare/matching/sweep_refinement.hpp"
+#include "setsquare/matching/wall_kinds.hpp"
+
+namespace setsquare {
+namespace {
+
+/// A place on its way from proposal to verification.
+struct RoughPlace {
+  Pose2 T_grid_sensor;
+  double fit = -1.0;
+};
+
+/// Keeps the best `count` and returns the correlation that a further one must reach.
+int keep_best_proposals(std::size_t count, std::vector<MapProposal>& proposals) {
+  if (proposals.size() <= count) return 0;
+  const auto last = proposals.begin() + static_cast<std::ptrdiff_t>(count) - 1;
+  // Ties by place, so that the order does not depend on the library's nth_element.
+  std::nth_element(proposals.begin(), last, proposals.end(), [](const auto& a, const auto& b) {
+    return a.correlation > b.correlation;
+  });
+  proposals.resize(count);
+  return proposals.back().correlation;
+}
+
+constexpr float kFitTolerance_m = 0.3F;
+
+/// How the samples fall on the walls: 1 where all lie on them, -1 where all lie in free space.
+double fit_at(const WallDistance& walls, const SurfaceSamples& samples, const Pose2& T) {
+  const auto c = static_cast<float>(std::cos(T.theta_rad));
+  const auto s = static_cast<float>(std::sin(T.theta_rad));
+  const auto x0 = static_cast<float>(T.x_m);
+  const auto y0 = static_cast<float>(T.y_m);
+  float sum = 0.0F;
+  float weight = 0.0F;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float x = c * samples.x_m[i] - s * samples.y_m[i] + x0;
+    const float y = s * samples.x_m[i] + c * samples.y_m[i] + y0;
+    weight += samples.weight_m[i];
+    const float distance_m = walls.slope_at(x, y).distance_m;
+    if (distance_m < kFitTolerance_m) {
+      const float u = distance_m / kFitTolerance_m;
+      sum += samples.weight_m[i] * (1.0F - u * u);
+    } else if (walls.state(walls.cell_at(x, y)) == CellState::kFree) {
+      sum -= samples.weight_m[i];
+    }
+  }
+  return weight > 0.0F ? sum / weight : -1.0;
+}
+
+/// One step of Gauss and Newton onto the walls; samples farther than the tolerance have no part.
+Pose2 stepped(const WallDistance& walls,
+              const SurfaceSamples& samples,
+              const Pose2& T,
+              float tolerance_m) {
+  const auto c = static_cast<float>(std::cos(T.theta_rad));
+  const auto s = static_cast<float>(std::sin(T.theta_rad));
+  const auto x0 = static_cast<float>(T.x_m);
+  const auto y0 = static_cast<float>(T.y_m);
+  float xx = 0.0F, xy = 0.0F, xt = 0.0F, yy = 0.0F, yt = 0.0F, tt = 0.0F;
+  float x_sum = 0.0F, y_sum = 0.0F, t_sum = 0.0F;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float rx = c * samples.x_m[i] - s * samples.y_m[i];
+    const float ry = s * samples.x_m[i] + c * samples.y_m[i];
+    const WallDistance::Slope slope = walls.slope_at(rx + x0, ry + y0);
+    if (slope.distance_m >= tolerance_m) continue;
+    const float u = slope.distance_m / tolerance_m;
+    const float near = 1.0F - u * u;
+    const float weight = samples.weight_m[i] * near * near;
+    const float lever = slope.along_y * rx - slope.along_x * ry;
+    xx += weight * slope.along_x * slope.along_x;
+    xy += weight * slope.along_x * slope.along_y;
+    xt += weight * slope.along_x * lever;
+    yy += weight * slope.along_y * slope.along_y;
+    yt += weight * slope.along_y * lever;
+    tt += weight * lever * lever;
+    x_sum += weight * slope.along_x * slope.distance_m;
+    y_sum += weight * slope.along_y * slope.distance_m;
+    t_sum += weight * lever * slope.distance_m;
+  }
+  Eigen::Matrix3d hessian;
+  hessian << xx, xy, xt, xy, yy, yt, xt, yt, tt;
+  // Where the walls leave a direction open the pose stays put along it.
+  hessian.diagonal().array() += 1e-3 + 0.02 * hessian.diagonal().array();
+  const Eigen::Vector3d step = hessian.ldlt().solve(Eigen::Vector3d(-x_sum, -y_sum, -t_sum));
+  constexpr double kMaxStep_m = 0.3;
+  constexpr double kMaxTurn_rad = 0.1;
+  return {T.x_m + std::clamp(step.x(), -kMaxStep_m, kMaxStep_m),
+          T.y_m + std::clamp(step.y(), -kMaxStep_m, kMaxStep_m),
+          wrap_to_pi(T.theta_rad + std::clamp(step.z(), -kMaxTurn_rad, kMaxTurn_rad))};
+}
+
+RoughPlace moved_onto_walls(const WallDistance& walls,
+                            const SurfaceSamples& samples,
+                            const Pose2& proposed) {
+  RoughPlace place{proposed};
+  for (const float tolerance_m : {0.6F, 0.45F, 0.35F, 0.25F}) {
+    place.T_grid_sensor = stepped(walls, samples, place.T_grid_sensor, tolerance_m);
+  }
+  place.fit = fit_at(walls, samples, place.T_grid_sensor);
+  return place;
+}
+
+ComparedBeams compared_beams(const Scan& scan) {
+  constexpr std::size_t kNumBeams = 120;
+  ComparedBeams beams;
+  const std::size_t stride = std::max<std::size_t>(1, scan.num_beams() / kNumBeams);
+  for (std::size_t beam = stride / 2; beam < scan.num_beams(); beam += stride) {
+    const BeamOutcome outcome = scan.outcome(beam);
+    if (outcome == BeamOutcome::kInvalid) continue;
+    beams.bearing_rad.push_back(scan.bearing_rad(beam));
+    beams.range_m.push_back(outcome == BeamOutcome::kReturn ? scan.ranges_m[beam]
+                                                            : std::numeric_limits<double>::infinity());
+  }
+  return beams;
+}
+
+/// How ranges agree with those that are to be expected: 1 where all do, -1 where all go through
+/// walls.
+double range_agreement(const WallDistance& walls,
+                       const ComparedBeams& beams,
+                       double max_range_m,
+                       const Pose2& T) {
+  constexpr double kTolerance_m = 0.3;
+  constexpr double kShort = -0.5;  ///< Something stands before the wall: people, new things.
+  double sum = 0.0;
+  for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
+    const double expected_m = range_to_wall(
+        walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
+    const double range_m = beams.range_m[i];
+    if (std::isnan(expected_m)) continue;
+    if (std::isinf(range_m)) {
+      // No return proves little: dark and slanting things give none.
+      sum += std::isinf(expected_m) ? 0.5 : 0.0;
+      continue;
+    }
+    const double beyond_m = range_m - expected_m;
+    const double tolerance_m = kTolerance_m + 0.02 * range_m;
+    const double u = beyond_m / tolerance_m;
+    if (std::abs(u) < 1.0) {
+      sum += 1.0 - u * u;
+    } else {
+      sum += beyond_m > 0.0 ? -1.0 : kShort;
+    }
+  }
+  return beams.range_m.empty() ? -1.0 : sum / static_cast<double>(beams.range_m.size());
+}
+
+/// Of the returns, the share that lies on walls or where the map knows what is there.
+double known_share(const WallDistance& walls, const ComparedBeams& beams, const Pose2& T) {
+  constexpr float kNearWall_m = 0.15F;
+  std::size_t num_returns = 0;
+  std::size_t num_known = 0;
+  for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
+    if (std::isinf(beams.range_m[i])) continue;
+    const double bearing_rad = T.theta_rad + beams.bearing_rad[i];
+    const double x_m = T.x_m + beams.range_m[i] * std::cos(bearing_rad);
+    const double y_m = T.y_m + beams.range_m[i] * std::sin(bearing_rad);
+    ++num_returns;
+    const bool is_near_wall =
+        walls.slope_at(static_cast<float>(x_m), static_cast<float>(y_m)).distance_m < kNearWall_m;
+    num_known += is_near_wall || walls.state(walls.cell_at(x_m, y_m)) != CellState::kUnknown;
+  }
+  return num_returns > 0 ? static_cast<double>(num_known) / static_cast<double>(num_returns) : 0.0;
+}
+
+/// Of the samples' wall, the share on which no line fits.
+double unlined_share(const SurfaceSamples& samples) {
+  float all_m = 0.0F;
+  float unlined_m = 0.0F;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    all_m += samples.weight_m[i];
+    if (samples.normal_x[i] == 0.0F && samples.normal_y[i] == 0.0F) unlined_m += samples.weight_m[i];
+  }
+  return all_m > 0.0F ? unlined_m / all_m : 1.0;
+}
+
+/// On the walls, and range by range.
+double fit_with_ranges(const KnownMap& map, const SoughtScan& scan, const RoughPlace& place) {
+  const double agreement =
+      range_agreement(map.walls(), scan.compared, scan.beams.max_range_m, place.T_grid_sensor);
+  return 0.5 * (place.fit + agreement);
+}
+
+std::vector<MapProposal> propose_places(const KnownMap& map,
+                                        const SoughtScan& scan,
+                                        const PlaceSearchParams& params) {
+  std::vector<MapProposal> proposals;
+  MapCorrelation::Scratch scratch;
+  int min_correlation = static_cast<int>(scan.proposing.size()) / 3;
+  for (std::size_t i = 0; i < params.num_rotations; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(params.num_rotations);
+    const double rotation_rad = wrap_to_pi(share * kTwoPi);
+    map.correlation().propose(scan.proposing, rotation_rad, min_correlation, scratch, proposals);
+    min_correlation =
+        std::max(min_correlation, keep_best_proposals(params.num_proposals, proposals));
+  }
+  return proposals;
+}
+
+}  // namespace
+
+SoughtScan sought_scan(const Scan& scan) {
+  SoughtScan sought;
+  sought.prepared = prepare(scan);
+  const SurfacePoints& points = sought.prepared.points();
+  sought.proposing = sample_surface(points,
+                                    direction_balanced_weights(points, sought.prepared.histogram),
+                                    MapCorrelation::kMaxSamples);
+  sought.beams = layout_of(scan);
+  sought.compared = compared_beams(scan);
+  return sought;
+}
+
+bool is_one_place(const Pose2& a, const Pose2& b) {
+  constexpr double kSame_m = 0.4;
+  constexpr double kSame_rad = rad_from_deg(6.0);
+  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < kSame_m &&
+         std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)) < kSame_rad;
+}
+
+VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const Pose2& T_grid_sensor) {
+  constexpr std::array<double, 3> kTolerances_m{0.3, 0.2, 0.2};
+  const MatchParams params;
+  VerifiedPlace place;
+  const PreparedScan expected = prepare(expected_scan(map.walls(), scan.beams, T_grid_sensor));
+  const Pose2 T_expected_scan =
+      refine(expected.fine_alignment(), scan.prepared.fine_alignment(), {}, kTolerances_m);
+  const SweepRefinement refined = refine_with_turns(expected.swept(),
+                                                    scan.prepared.swept(),
+                                                    T_expected_scan,
+                                                    params.refinement.sweep_tolerance_m,
+                                                    params.sweep);
+  const Pose2& T = refined.T_reference_current;
+  place.T_grid_sensor = T_grid_sensor * T;
+  const Alignment aligned = align(
+      expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
+  place.score = score(aligned.evidence, params.score);
+  place.unlined_share = unlined_share(scan.prepared.fine);
+  place.known_share = known_share(map.walls(), scan.compared, place.T_grid_sensor);
+  place.fit = fit_with_ranges(
+      map,
+      scan,
+      {place.T_grid_sensor, fit_at(map.walls(), scan.proposing, place.T_grid_sensor)});
+  place.kinds = wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
+  place.constraint = wall_constraint(refined.pose_hessian);
+  place.distinct_wall_m = distinct_wall_m(
+      expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.distinct_wall);
+  place.information = match_information(refined.normal);
+  return place;
+}
+
+std::vector<VerifiedPlace> search_places(const KnownMap& map,
+                                         const SoughtScan& scan,
+                                         const PlaceSearchParams& params) {
+  std::vector<RoughPlace> rough;
+  for (const MapProposal& proposal : propose_places(map, scan, params)) {
+    rough.push_back(moved_onto_walls(map.walls(), scan.proposing, proposal.T_grid_sensor));
+  }
+  std::stable_sort(
+      rough.begin(), rough.end(), [](const auto& a, const auto& b) { return a.fit > b.fit; });
+  std::vector<RoughPlace> different;
+  for (const RoughPlace& place : rough) {
+    if (different.size() == params.num_compared) break;
+    const bool is_known = std::ranges::any_of(different, [&](const RoughPlace& other) {
+      return is_one_place(place.T_grid_sensor, other.T_grid_sensor);
+    });
+    if (!is_known) different.push_back(place);
+  }
+  for (RoughPlace& place : different) {
+    place.fit = fit_with_ranges(map, scan, place);
+  }
+  std::stable_sort(different.begin(), different.end(), [](const auto& a, const auto& b) {
+    return a.fit > b.fit;
+  });
+  if (different.size() > params.num_verified) different.resize(params.num_verified);
+  std::vector<VerifiedPlace> verified;
+  for (const RoughPlace& place : different) {
+    VerifiedPlace found = verified_place(map, scan, place.T_grid_sensor);
+    const bool is_known = std::ranges::any_of(verified, [&](const VerifiedPlace& other) {
+      return is_one_place(found.T_grid_sensor, other.T_grid_sensor);
+    });
+    if (!is_known) verified.push_back(std::move(found));
+  }
+  std::stable_sort(verified.begin(), verified.end(), [](const auto& a, const auto& b) {
+    return a.score > b.score;
+  });
+  return verified;
+}
+
+}  // namespace setsquare

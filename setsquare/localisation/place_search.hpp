@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "setsquare/localisation/expected_scan.hpp"
+#include "setsquare/localisation/known_map.hpp"
+#include "setsquare/localisation/localisation_params.hpp"
+#include "setsquare/matching/verdict.hpp"
+#include "setsquare/matching/wall_kinds.hpp"
+#include "setsquare/surfaces/prepared_scan.hpp"
+
+namespace setsquare {
+
+/// Some beams of a scan, evenly over its sweep, that tell how far it is to a wall or how far nothing
+/// is.
+struct ComparedBeams {
+  std::vector<double> bearing_rad;
+  std::vector<double> range_m;  ///< Infinite: nothing within reach.
+};
+
+/// A scan as it is searched for in a map.
+struct SoughtScan {
+  PreparedScan prepared;
+  SurfaceSamples proposing;  ///< A few dozen, rare directions favoured.
+  BeamLayout beams;
+  ComparedBeams compared;
+};
+
+/// Throws ParameterError where the scan's geometry is not valid (Scan::validate).
+[[nodiscard]] SoughtScan sought_scan(const Scan& scan);
+
+/// A place compared with the scan that is to be expected there.
+struct VerifiedPlace {
+  Pose2 T_grid_sensor;
+  double fit = 0.0;  ///< Of samples on the walls and of ranges with the expected ones, -1 to 1.
+  double score = 0.0;  ///< Of the matcher (score()).
+  TwoWayKinds kinds;   ///< The scan's wall on the expected one, and back.
+  WallConstraint constraint;
+  double distinct_wall_m = 0.0;
+  double known_share = 0.0;  ///< Of the returns, that lie where the map knows what is there.
+  /// Of the scan's wall, on which no line fits: much of it where ranges are noisy.
+  double unlined_share = 0.0;
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< In the grid's frame.
+};
+
+/// Places near enough to be one answer.
+[[nodiscard]] bool is_one_place(const Pose2& a, const Pose2& b);
+
+/// The best places of the whole map, all different, best first:
+///
+/// 1. every translation is correlated at each rotation (MapCorrelation);
+/// 2. the best are moved onto the walls by the distance to them, and compared;
+/// 3. the best different ones are verified against the scan that is to be expected there, free
+///    space and all, and refined.
+[[nodiscard]] std::vector<VerifiedPlace> search_places(const KnownMap& map,
+                                                       const SoughtScan& scan,
+                                                       const PlaceSearchParams& params = {});
+
+/// Step 3 alone, of a place that is right within some decimetres and degrees.
+[[nodiscard]] VerifiedPlace verified_place(const KnownMap& map,
+                                           const SoughtScan& scan,
+                                           const Pose2& T_grid_sensor);
+
+}  // namespace setsquare

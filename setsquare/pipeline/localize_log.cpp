@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/pipeline/localize_log.hpp"
+
+#include <filesystem>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/maps/map_pgm_yaml.hpp"
+#include "setsquare/pipeline/chosen_scans.hpp"
+
+namespace setsquare {
+
+OccupancyGrid read_grid_to_localise_in(const std::string& path) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::is_directory(path, error)) return read_map_pgm_yaml((fs::path(path) / "map.yaml").string());
+  return read_map_pgm_yaml(path);
+}
+
+LocalisationCounts counts_of(const LocalizedLog& log) {
+  LocalisationCounts counts;
+  for (std::size_t i = 0; i < log.poses.size(); ++i) {
+    const LocalisedPose& pose = log.poses[i];
+    counts.num_confirmed += pose.is_confirmed;
+    switch (pose.status) {
+      case LocalisationStatus::kLocalised:
+        ++counts.num_localised;
+        if (!counts.first_localised) counts.first_localised = i;
+        break;
+      case LocalisationStatus::kAmbiguous:
+        ++counts.num_ambiguous;
+        break;
+      case LocalisationStatus::kLost:
+        ++counts.num_lost;
+        break;
+    }
+  }
+  return counts;
+}
+
+Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of) {
+  Trajectory trajectory;
+  for (const LocalisedPose& pose : log.poses) {
+    if (pose.status != LocalisationStatus::kLocalised) continue;
+    trajectory.push_back(
+        {pose.stamp, pose_of == PoseOf::kSensor ? pose.T_map_sensor : pose.T_map_base});
+  }
+  return trajectory;
+}
+
+LocalizedLog localize_log(LogReader& reader,
+                          const std::string& name,
+                          std::shared_ptr<const KnownMap> map,
+                          const LocalizeLogOptions& options,
+                          const MapLogWatcher& watcher) {
+  if (names_several(options.log.sensor)) {
+    throw ParameterError("sensor", "scans of one scanner are localised");
+  }
+  if (map != nullptr && map->is_empty()) {
+    throw ParameterError("map", "has no walls or no free space: nothing can be found in it");
+  }
+  LocalizedLog log;
+  log.name = name;
+  Localizer localizer(std::move(map), options.localisation);
+  if (options.T_map_base_start) localizer.set_pose(*options.T_map_base_start);
+  if (watcher.on_stage) watcher.on_stage("localising");
+  ChosenScans chosen(options.log.sensor);
+  std::optional<std::uint32_t> scanner;
+  while (const LogRecord* record = reader.next()) {
+    if (watcher.on_progress) watcher.on_progress(reader.fraction_read());
+    if (record->kind != RecordKind::kScan || !chosen.takes(*record, reader.front_sensor())) continue;
+    if (!scanner) scanner = record->scan.scanner;
+    if (record->scan.scanner != *scanner) continue;
+    log.poses.push_back(
+        localizer.add(record->scan, options.uses_odometry ? record->T_odom_base : std::nullopt));
+  }
+  log.problems = reader.problems();
+  log.format = reader.format();
+  log.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
+  if (log.poses.empty()) throw FileError(name, "has no scan to localise");
+  return log;
+}
+
+}  // namespace setsquare

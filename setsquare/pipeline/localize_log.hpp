@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// A log followed in a known map: what the command and the Python package do.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "setsquare/core/trajectory.hpp"
+#include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/localisation/known_map.hpp"
+#include "setsquare/localisation/localizer.hpp"
+#include "setsquare/pipeline/map_log.hpp"
+
+namespace setsquare {
+
+/// The map to find scans in: map.yaml of any program (map_server, nav2), or a folder that `setsquare
+/// map` wrote. Throws FileError, FormatError.
+[[nodiscard]] OccupancyGrid read_grid_to_localise_in(const std::string& path);
+
+struct LocalizeLogOptions {
+  LogOptions log;
+  bool uses_odometry = true;
+  std::optional<Pose2> T_map_base_start;  ///< Where the robot starts, if that is known.
+  LocalisationParams localisation;
+};
+
+/// A log followed in a map.
+struct LocalizedLog {
+  std::vector<LocalisedPose> poses;  ///< One per scan, in the order of the log.
+  std::string name;                  ///< Of the log.
+  std::string format;
+  std::string sensor;
+  LogProblems problems;
+};
+
+/// How many scans ended in each status.
+struct LocalisationCounts {
+  std::size_t num_localised = 0;
+  std::size_t num_ambiguous = 0;
+  std::size_t num_lost = 0;
+  std::size_t num_confirmed = 0;
+  std::optional<std::size_t> first_localised;  ///< Index of the scan.
+};
+[[nodiscard]] LocalisationCounts counts_of(const LocalizedLog& log);
+
+/// Poses of the scans that were localised.
+[[nodiscard]] Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of = PoseOf::kBase);
+
+/// Reads the opened log to its end and follows its front scanner (or LogOptions::sensor) in the map.
+/// Throws FileError, FormatError, ParameterError; FileError, too, where it has no scan.
+[[nodiscard]] LocalizedLog localize_log(LogReader& reader,
+                                        const std::string& name,
+                                        std::shared_ptr<const KnownMap> map,
+                                        const LocalizeLogOptions& options = {},
+                                        const MapLogWatcher& watcher = {});
+
+}  // namespace setsquare
