@@ -13,6 +13,8 @@
 //   save_map(mapped.map, "out", save_options_of(mapped));
 //
 //   const SavedMap saved = load_map_file("out");  // What map.setsquare there holds.
+//   Localizer localizer(std::make_shared<KnownMap>(occupancy_grid(saved.map)));
+//   const LocalisedPose pose = localizer.add(scan);  // Anywhere in it, from no start pose.
 //
 // Link setsquare::setsquare. To match one scan with many, `prepare` each once.
 #pragma once
@@ -22,6 +24,8 @@
 #include "setsquare/io/map_file/map_file.hpp"      // IWYU pragma: export
 #include "setsquare/io/tables/relations.hpp"       // IWYU pragma: export
 #include "setsquare/io/tables/trajectory_tum.hpp"  // IWYU pragma: export
+#include "setsquare/localisation/known_map.hpp"    // IWYU pragma: export
+#include "setsquare/localisation/localizer.hpp"    // IWYU pragma: export
 #include "setsquare/map/map.hpp"                   // IWYU pragma: export
 #include "setsquare/mapping/mapper.hpp"            // IWYU pragma: export
 #include "setsquare/matching/scan_matcher.hpp"     // IWYU pragma: export

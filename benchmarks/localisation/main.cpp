@@ -1,7 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// One scan located in a known map, nothing known of where it was taken.
+// Scans located in known maps (localisation), and what their probabilities are fitted to.
+//
+//   localisation_study image MAP.yaml FOV_DEG NOISE_M NUM    one scan, random free places of a map
+//   localisation_study half LOG EVERY_M                      one scan, second half in first half's
+//   map localisation_study follow LOG EVERY_M WAY_M              the same, followed from many
+//   starts localisation_study examples SEED NUM                     for benchmarks/localisation/fit
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -10,182 +16,235 @@
 #include <vector>
 
 #include "benchmarks/localisation/places.hpp"
-#include "setsquare/io/logs/open_log.hpp"
-#include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/localisation/localizer.hpp"
+#include "setsquare/localisation/locate_scan.hpp"
 #include "setsquare/localisation/place_probability.hpp"
-#include "setsquare/localisation/place_search.hpp"
-#include "setsquare/surfaces/angle_histogram.hpp"
 
 namespace setsquare::experiments {
 namespace {
 
-void run_dump(const KnownPlace& place, int group) {
-  static int id = 0;
-  ++id;
-  const auto start = std::chrono::steady_clock::now();
-  const SoughtScan sought = sought_scan(place.scan);
-  const auto thorough = search_places(place.map, sought);
-  const double all_ms =
-      1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  int pass = 0;
-  if (place.T_map_sensor) {
-    const Pose2 T = place.map.T_map_grid().inverse() * *place.T_map_sensor;
-    const auto st = place.map.walls().state(place.map.walls().cell_at(T.x_m, T.y_m));
-    std::size_t known = 0, total = 0;
-    for (std::size_t b = 0; b < place.scan.num_beams(); b += 4) {
-      if (place.scan.outcome(b) != BeamOutcome::kReturn) continue;
-      const Eigen::Vector2d at = T * (place.scan.ranges_m[b] * Eigen::Vector2d(std::cos(place.scan.bearing_rad(b)), std::sin(place.scan.bearing_rad(b))));
-      ++total;
-      known += place.map.walls().state(place.map.walls().cell_at(at.x(), at.y())) != CellState::kUnknown || place.map.walls().slope_at(float(at.x()), float(at.y())).distance_m < 0.15F;
-    }
-    std::printf("K %d %d %.3f %.3f\n", id, st == CellState::kFree, total ? double(known) / double(total) : 0.0, T.x_m);
+constexpr double kRight_m = 0.5;
+constexpr double kRight_rad = rad_from_deg(8.0);
+
+bool is_right(const Pose2& T_map_sensor, const Pose2& truth) {
+  const Pose2 error = truth.inverse() * T_map_sensor;
+  return error.translation().norm() < kRight_m && std::abs(error.theta_rad) < kRight_rad;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return std::nan("");
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+double share(std::size_t part, std::size_t all) {
+  return static_cast<double>(part) / static_cast<double>(std::max<std::size_t>(1, all));
+}
+
+/// What came of single scans.
+class SingleScans {
+ public:
+  void add(const KnownPlace& place) {
+    const auto start = std::chrono::steady_clock::now();
+    const LocatedScan located = locate_scan(place.map, place.scan);
+    times_ms_.push_back(
+        1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    const bool is_localised = located.status == LocalisationStatus::kLocalised;
+    const bool has_best = !located.places.empty() && place.T_map_sensor;
+    const bool right =
+        has_best && is_right(located.places.front().T_map_sensor, *place.T_map_sensor);
+    num_best_right_ += right;
+    num_localised_right_ += right && is_localised;
+    num_localised_wrong_ += !right && is_localised;
+    if (!right) return;
+    const Pose2 error = place.T_map_sensor->inverse() * located.places.front().T_map_sensor;
+    errors_m_.push_back(error.translation().norm());
+    errors_deg_.push_back(deg_from_rad(std::abs(error.theta_rad)));
   }
-  {
-    pass = 1;
-    std::printf("S %d %d %d %.2f %.2f %d\n", id, group, pass, all_ms, all_ms, place.T_map_sensor.has_value());
-    for (const VerifiedPlace& p : thorough) {
-      double error_m = 99.0;
-      double error_deg = 180.0;
-      if (place.T_map_sensor) {
-        const Pose2 e = place.T_map_sensor->inverse() * (place.map.T_map_grid() * p.T_grid_sensor);
-        error_m = std::hypot(e.x_m, e.y_m);
-        error_deg = std::abs(e.theta_rad) * 57.29578;
+
+  void print() const {
+    const std::size_t num = times_ms_.size();
+    std::printf(
+        "%zu scans: the most probable place is right (0.5 m, 8 deg) of %.1f %%; localised right "
+        "%.1f %%, localised wrong %zu\nerror of the right ones %.3f m, %.2f deg (medians); %.1f ms "
+        "a scan (median)\n",
+        num,
+        100.0 * share(num_best_right_, num),
+        100.0 * share(num_localised_right_, num),
+        num_localised_wrong_,
+        median(errors_m_),
+        median(errors_deg_),
+        median(times_ms_));
+  }
+
+ private:
+  std::size_t num_best_right_ = 0;
+  std::size_t num_localised_right_ = 0;
+  std::size_t num_localised_wrong_ = 0;
+  std::vector<double> times_ms_;
+  std::vector<double> errors_m_;
+  std::vector<double> errors_deg_;
+};
+
+/// One way of a log that begins where nothing is known.
+struct Way {
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< Behind its last scan.
+};
+
+/// Ways of `way_m` whose scans are placed and overlap with the map, begun every `every_m`.
+std::vector<Way> ways_of(const MappedHalf& half, double every_m, double way_m) {
+  constexpr double kOverlap = 0.45;
+  const auto overlaps = [&](std::size_t i) {
+    return half.T_map_sensor[i] &&
+           overlap_with_map(*half.map, half.scans[i], *half.T_map_sensor[i]) > kOverlap;
+  };
+  std::vector<Way> ways;
+  Eigen::Vector2d last(1e9, 1e9);
+  for (std::size_t first = half.scans.size() / 2; first < half.scans.size(); ++first) {
+    if (!half.T_map_sensor[first]) continue;
+    const Eigen::Vector2d at = half.T_map_sensor[first]->translation();
+    if ((at - last).norm() < every_m || !overlaps(first)) continue;
+    double driven_m = 0.0;
+    std::size_t end = first + 1;
+    for (; end < half.scans.size() && driven_m < way_m && half.T_map_sensor[end]; ++end) {
+      driven_m +=
+          (half.T_map_sensor[end]->translation() - half.T_map_sensor[end - 1]->translation())
+              .norm();
+      if (end % 10 == 0 && !overlaps(end)) break;
+    }
+    if (driven_m < way_m) continue;
+    last = at;
+    ways.push_back({first, end});
+  }
+  return ways;
+}
+
+void follow(const std::string& log_path, double every_m, double way_m) {
+  const MappedHalf half = mapped_half(log_path);
+  const std::vector<Way> ways = ways_of(half, every_m, way_m);
+  std::size_t num_right = 0;
+  std::size_t num_wrong = 0;
+  std::size_t num_ever_wrong = 0;
+  std::size_t num_beyond = 0;
+  std::vector<double> errors_m;
+  std::vector<double> errors_deg;
+  for (const Way& way : ways) {
+    Localizer localizer(half.map);
+    bool was_wrong = false;
+    bool is_localised = false;
+    bool right = false;
+    for (std::size_t i = way.first; i < way.end; ++i) {
+      const LocalisedPose pose = localizer.add(half.scans[i]);
+      is_localised = pose.status == LocalisationStatus::kLocalised;
+      if (!is_localised) continue;
+      const Pose2& truth = *half.T_map_sensor[i];
+      right = is_right(pose.T_map_sensor, truth);
+      was_wrong |= !right;
+      if (!right) continue;
+      const Pose2 error = truth.inverse() * pose.T_map_sensor;
+      errors_m.push_back(error.translation().norm());
+      errors_deg.push_back(deg_from_rad(std::abs(error.theta_rad)));
+      num_beyond +=
+          errors_m.back() > 3.0 * std::sqrt(pose.covariance.topLeftCorner<2, 2>().trace());
+    }
+    num_right += is_localised && right;
+    num_wrong += is_localised && !right;
+    num_ever_wrong += was_wrong;
+  }
+  std::printf(
+      "%zu starts, after %.0f m: localised right %.1f %%, localised wrong %zu; ever wrong %zu\n"
+      "error of localised scans %.4f m, %.3f deg (means), beyond three of its spread %.2f %%\n",
+      ways.size(),
+      way_m,
+      100.0 * share(num_right, ways.size()),
+      num_wrong,
+      num_ever_wrong,
+      mean(errors_m),
+      mean(errors_deg),
+      100.0 * share(num_beyond, errors_m.size()));
+}
+
+/// A line for each scan, then one for each of its places: whether it is right, and its features.
+void print_examples(const KnownPlace& place) {
+  std::printf("scan\n");
+  for (const VerifiedPlace& found : search_places(place.map, sought_scan(place.scan))) {
+    const Pose2 T_map_sensor = place.map.T_map_grid() * found.T_grid_sensor;
+    std::printf("%d", place.T_map_sensor && is_right(T_map_sensor, *place.T_map_sensor) ? 1 : 0);
+    for (const double feature : place_features(found)) std::printf(" %.6g", feature);
+    std::printf("\n");
+  }
+}
+
+void print_examples_of(std::uint64_t first_seed, std::uint64_t num_seeds) {
+  constexpr std::size_t kNumScans = 8;
+  const std::array scanners = {utm_30lx(),
+                               still_scanner(kPi, 181, 0.02, 30.0),
+                               low_cost_360(),
+                               still_scanner(kTwoPi, 360, 0.05, 10.0),
+                               still_scanner(1.5 * kPi, 1081, 0.05, 10.0)};
+  for (std::uint64_t seed = first_seed; seed < first_seed + num_seeds; ++seed) {
+    for (const BuildingClass building_class : kAllBuildingClasses) {
+      for (const bool is_partly_mapped : {false, true}) {
+        for (const ScannerModel& scanner : scanners) {
+          visit_building(
+              building_class, seed, scanner, kNumScans, is_partly_mapped, print_examples);
+        }
       }
-      std::printf("P %d %d %.3f %.2f %.3f", id, pass, error_m, error_deg, p.known_share);
-      for (const double f : place_features(p)) std::printf(" %.6g", f);
-      std::printf("\n");
     }
   }
 }
 
-/// Starts anew every `every_m` of the second half of a log, and follows each start for `way_m`.
-void run_follow(const std::string& log_path, double every_m, double way_m) {
-  const MappedHalf half = mapped_half(log_path);
-  Eigen::Vector2d last(1e9, 1e9);
-  std::size_t starts = 0, right_end = 0, wrong_end = 0, ever_wrong = 0, wrong_scans = 0, scans = 0, loc_scans = 0;
-  std::vector<double> to_localised_m, errors_m, errors_deg;
-  double worst_sigmas = 0.0;
-  std::size_t beyond = 0;
-  for (std::size_t start = half.scans.size() / 2; start < half.scans.size(); ++start) {
-    if (!half.T_map_sensor[start]) continue;
-    const Pose2& T0 = *half.T_map_sensor[start];
-    if ((T0.translation() - last).norm() < every_m) continue;
-    if (overlap_with_map(*half.map, half.scans[start], T0) < 0.45) continue;
-    // The way ahead overlaps, too.
-    std::size_t end = start;
-    double way = 0.0;
-    bool overlaps = true;
-    while (way < way_m && overlaps && end + 1 < half.scans.size() && half.T_map_sensor[end + 1]) {
-      way += (half.T_map_sensor[end + 1]->translation() - half.T_map_sensor[end]->translation()).norm();
-      ++end;
-      if (end % 10 == 0) overlaps = overlap_with_map(*half.map, half.scans[end], *half.T_map_sensor[end]) > 0.45;
-    }
-    if (way < way_m || !overlaps) continue;
-    last = T0.translation();
-    ++starts;
-    Localizer localizer(half.map);
-    LocalisedPose pose;
-    double driven = 0.0;
-    bool is_localised = false, was_wrong = false, is_wrong = false;
-    for (std::size_t i = start; i <= end; ++i) {
-      pose = localizer.add(half.scans[i]);
-      if (i > start) driven += (half.T_map_sensor[i]->translation() - half.T_map_sensor[i - 1]->translation()).norm();
-      ++scans;
-      is_wrong = false;
-      if (std::getenv("D") && start == std::size_t(std::atoi(std::getenv("D"))) && i % 12 == 0) {
-        const SoughtScan so = sought_scan(half.scans[i]);
-        const Pose2 Tg = half.map->T_map_grid().inverse();
-        for (const Pose2& T : {*half.T_map_sensor[i], pose.T_map_sensor}) {
-          const VerifiedPlace v = verified_place(*half.map, so, Tg * T);
-          const auto f = place_features(v);
-          std::printf("%zu driven %.1f p %.3f %s: rank %.2f presence %.2f known %.2f |", i, driven, pose.probability, to_string(pose.status), place_rank(f), presence_log_odds(f), v.known_share);
-          for (double x : f) std::printf(" %.2f", x);
-          std::printf("\n");
-        }
-      }
-      if (pose.status != LocalisationStatus::kLocalised) continue;
-      ++loc_scans;
-      if (!is_localised) to_localised_m.push_back(driven);
-      is_localised = true;
-      const Pose2 e = half.T_map_sensor[i]->inverse() * pose.T_map_sensor;
-      is_wrong = e.translation().norm() > 0.5 || std::abs(e.theta_rad) > 0.14;
-      wrong_scans += is_wrong;
-      was_wrong |= is_wrong;
-      if (!is_wrong) {
-        errors_m.push_back(e.translation().norm());
-        errors_deg.push_back(std::abs(e.theta_rad) * 57.29578);
-        const double sigmas = e.translation().norm() / std::sqrt(pose.covariance.topLeftCorner<2, 2>().trace());
-        worst_sigmas = std::max(worst_sigmas, sigmas);
-        beyond += sigmas > 3.0;
-      }
-    }
-    const bool at_end = pose.status == LocalisationStatus::kLocalised;
-    right_end += at_end && !is_wrong;
-    wrong_end += at_end && is_wrong;
-    ever_wrong += was_wrong;
-    if (std::getenv("V") != nullptr && (was_wrong || !at_end)) {
-      const Pose2 t = half.T_map_sensor[end] ? *half.T_map_sensor[end] : Pose2{};
-      std::printf("start %zu: %s at end, p %.3f, %s; alternatives %zu; at %.1f %.1f %.0f truth %.1f %.1f %.0f\n", start, to_string(pose.status), pose.probability, was_wrong ? "WRONG" : "", pose.alternatives.size(), pose.T_map_sensor.x_m, pose.T_map_sensor.y_m, pose.T_map_sensor.theta_rad * 57.3, t.x_m, t.y_m, t.theta_rad * 57.3);
-    }
+int usage() {
+  std::fprintf(stderr,
+               "usage: localisation_study image MAP.yaml FOV_DEG NOISE_M NUM | half LOG EVERY_M |\n"
+               "       follow LOG EVERY_M WAY_M | examples SEED NUM\n");
+  return 2;
+}
+
+int run(const std::vector<std::string>& words) {
+  const auto number = [&](std::size_t i) { return std::strtod(words[i].c_str(), nullptr); };
+  const auto count = [&](std::size_t i) { return std::strtoull(words[i].c_str(), nullptr, 10); };
+  SingleScans single;
+  const VisitPlace add = [&](const KnownPlace& place) { single.add(place); };
+  if (words.size() == 5 && words[0] == "image") {
+    const double field_of_view_rad = rad_from_deg(number(2));
+    const std::size_t num_beams = field_of_view_rad > kTwoPi - 1e-6 ? 720 : 1081;
+    constexpr double kMaxRange_m = 10.0;
+    visit_map_image(words[1],
+                    still_scanner(field_of_view_rad, num_beams, number(3), kMaxRange_m),
+                    count(4),
+                    1,
+                    add);
+    single.print();
+  } else if (words.size() == 3 && words[0] == "half") {
+    visit_second_half(words[1], number(2), add);
+    single.print();
+  } else if (words.size() == 4 && words[0] == "follow") {
+    follow(words[1], number(2), number(3));
+  } else if (words.size() == 3 && words[0] == "examples") {
+    print_examples_of(count(1), count(2));
+  } else {
+    return usage();
   }
-  const auto median = [](std::vector<double> v) {
-    if (v.empty()) return -1.0;
-    std::sort(v.begin(), v.end());
-    return v[v.size() / 2];
-  };
-  const auto mean = [](const std::vector<double>& v) {
-    double s = 0.0;
-    for (double x : v) s += x;
-    return v.empty() ? -1.0 : s / static_cast<double>(v.size());
-  };
-  std::printf("%s: %zu starts, after %.0f m: right %.3f wrong %zu; ever wrong %zu (%zu of %zu localised scans of %zu); localised after %.2f m (median); error %.4f m %.3f deg (mean), %.4f m (median); beyond 3 sigma %.4f\n",
-              log_path.c_str(), starts, way_m, double(right_end) / double(starts), wrong_end, ever_wrong, wrong_scans, loc_scans, scans,
-              median(to_localised_m), mean(errors_m), mean(errors_deg), median(errors_m), double(beyond) / double(std::max<std::size_t>(1, errors_m.size())));
+  return 0;
 }
 
 }  // namespace
 }  // namespace setsquare::experiments
 
 int main(int argc, char** argv) {
-  using namespace setsquare;
-  using namespace setsquare::experiments;
-  const std::string mode = argc > 1 ? argv[1] : "";
-  if (mode == "image") {
-    const double fov = std::atof(argv[3]);
-    const auto scanner = still_scanner(rad_from_deg(fov), fov > 359 ? 720 : 1081, std::atof(argv[4]), 10.0);
-    visit_map_image(argv[2], scanner, std::atoi(argv[5]), 1, [](const KnownPlace& p) { run_dump(p, 0); });
-  } else if (mode == "half") {
-    visit_second_half(argv[2], std::atof(argv[3]), [](const KnownPlace& p) { run_dump(p, 1); });
-  } else if (mode == "dbg") {
-    const KnownMap map(read_map_pgm_yaml(argv[2]));
-    const auto reader = open_log(argv[3]);
-    const Scan scan = reader->next()->scan;
-    for (const auto& v : search_places(map, sought_scan(scan))) {
-      std::printf("%.2f %.2f %.0f:", v.T_grid_sensor.x_m, v.T_grid_sensor.y_m, v.T_grid_sensor.theta_rad * 57.3);
-      for (double f : place_features(v)) std::printf(" %.2f", f);
-      std::printf(" | wall %.2f out %.2f\n", v.kinds.forward.wall_m, v.kinds.forward.outside_m);
-    }
-  } else if (mode == "follow") {
-    run_follow(argv[2], std::atof(argv[3]), std::atof(argv[4]));
-  } else if (mode == "sim") {
-    const int seeds = std::atoi(argv[3]);
-    for (int s = std::atoi(argv[2]); s < std::atoi(argv[2]) + seeds; ++s) {
-      int group = 10;
-      for (const auto c : kAllBuildingClasses) {
-        for (const bool stranger : {false, true}) {
-          int which = 0;
-          for (const auto& scanner : {utm_30lx(), still_scanner(kPi, 181, 0.02, 30.0), low_cost_360(),
-                                      still_scanner(kTwoPi, 360, 0.05, 10.0),
-                                      still_scanner(1.5 * kPi, 1081, 0.05, 10.0)}) {
-            visit_building(c, s, scanner, 8, stranger,
-                           [&](const KnownPlace& p) { run_dump(p, group + which * 100); });
-            ++which;
-          }
-        }
-        ++group;
-      }
-    }
+  try {
+    return setsquare::experiments::run({argv + 1, argv + argc});
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "localisation_study: %s\n", error.what());
+    return 2;
   }
-  return 0;
 }

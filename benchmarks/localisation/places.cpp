@@ -13,8 +13,8 @@
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
-#include "setsquare/mapping/mapper.hpp"
 #include "setsquare/map/map.hpp"
+#include "setsquare/mapping/mapper.hpp"
 #include "setsquare/scan/scan_to_points.hpp"
 #include "setsquare/sim/floor_plan_from_cells.hpp"
 #include "setsquare/sim/sensing/robot_path.hpp"
@@ -57,8 +57,7 @@ OccupancyGrid grid_of_route(const Building& building,
   std::vector<SimulatedScan> scans;
   for (double at_m = 0.0; at_m < share * path.length_m(); at_m += 0.4) {
     const double time_s = path.time_at_route_distance(at_m);
-    scans.push_back(
-        simulate_scan(caster, building.people, utm_30lx(), path, time_s, random));
+    scans.push_back(simulate_scan(caster, building.people, utm_30lx(), path, time_s, random));
   }
   std::vector<PlacedScan> placed;
   for (const SimulatedScan& scan : scans) placed.push_back({&scan.scan, scan.T_map_base});
@@ -85,8 +84,8 @@ FloorPlan refurnished(const FloorPlan& plan, Random& random) {
       const double y_m = kMove_m * random.normal();
       const bool may_move = is_clutter(segment.material);
       is_gone = may_move && fate < kGone;
-      move_m = may_move && fate < kGone + kMoved ? Eigen::Vector2d(x_m, y_m)
-                                                 : Eigen::Vector2d(0.0, 0.0);
+      move_m =
+          may_move && fate < kGone + kMoved ? Eigen::Vector2d(x_m, y_m) : Eigen::Vector2d(0.0, 0.0);
     }
     last = &segment;
     if (is_gone) continue;
@@ -183,9 +182,8 @@ MappedHalf mapped_half(const std::string& log_path) {
   }
   const Pose2 T_first_whole = best_rigid_alignment(pairs);
   for (const MappedScan& scan : whole.scans) {
-    half.T_map_sensor.push_back(scan.is_placed
-                                    ? std::optional(T_first_whole * scan.T_map_sensor)
-                                    : std::nullopt);
+    half.T_map_sensor.push_back(scan.is_placed ? std::optional(T_first_whole * scan.T_map_sensor)
+                                               : std::nullopt);
   }
   half.map = std::make_shared<const KnownMap>(occupancy_grid(first));
   return half;
@@ -197,9 +195,9 @@ double overlap_with_map(const KnownMap& map, const Scan& scan, const Pose2& T_ma
   std::size_t num_near = 0;
   for (std::size_t k = 0; k < points.size(); ++k) {
     const Eigen::Vector2d at = T * Eigen::Vector2d(points.x_m[k], points.y_m[k]);
-    num_near += map.walls()
-                    .slope_at(static_cast<float>(at.x()), static_cast<float>(at.y()))
-                    .distance_m < 0.12F;
+    num_near +=
+        map.walls().slope_at(static_cast<float>(at.x()), static_cast<float>(at.y())).distance_m <
+        0.12F;
   }
   return points.empty() ? 0.0 : static_cast<double>(num_near) / static_cast<double>(points.size());
 }

@@ -156,7 +156,8 @@ map: an OccupancyGrid, a Map, or a path: a folder that Map.save or `setsquare ma
 map.yaml of any program (nav2). Made once, shared by any number of threads. Raises FileError,
 FormatError.)")
       .def(py::init(&known_map_from), py::arg("map"))
-      .def_property_readonly("is_empty", &KnownMap::is_empty, "Whether it has no walls or no space.");
+      .def_property_readonly(
+          "is_empty", &KnownMap::is_empty, "Whether it has no walls or no space.");
   bind_localizer(module);
   module.def(
       "locate",

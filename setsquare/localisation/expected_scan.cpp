@@ -16,11 +16,8 @@ constexpr double kMaxUnknown_m = 0.3;
 
 }  // namespace
 
-double range_to_wall(const WallDistance& walls,
-                     double x_m,
-                     double y_m,
-                     double bearing_rad,
-                     double max_range_m) {
+double range_to_wall(
+    const WallDistance& walls, double x_m, double y_m, double bearing_rad, double max_range_m) {
   // Everything in cells. Far from walls the ray jumps as far as none can be; near them it goes from
   // cell to cell (Amanatides and Woo 1987).
   const double cell_m = walls.resolution_m();
@@ -46,8 +43,7 @@ double range_to_wall(const WallDistance& walls,
     next_column = per_column == kNever
                       ? kNever
                       : t + ((step_x > 0 ? cell.column + 1 : cell.column) - px) / dx;
-    next_row =
-        per_row == kNever ? kNever : t + ((step_y > 0 ? cell.row + 1 : cell.row) - py) / dy;
+    next_row = per_row == kNever ? kNever : t + ((step_y > 0 ? cell.row + 1 : cell.row) - py) / dy;
   };
   land(0.0);
   constexpr double kNear_cells = 4.0;
@@ -90,8 +86,8 @@ BeamLayout layout_of(const Scan& scan) {
     const auto num_steps = static_cast<std::size_t>(
         std::max(1.0, std::floor(scan.field_of_view_rad() / kMinStep_rad + 0.5)));
     layout.num_beams = num_steps + 1;
-    layout.bearing_step_rad =
-        std::copysign(scan.field_of_view_rad() / static_cast<double>(num_steps), scan.bearing_step_rad);
+    layout.bearing_step_rad = std::copysign(
+        scan.field_of_view_rad() / static_cast<double>(num_steps), scan.bearing_step_rad);
   }
   return layout;
 }

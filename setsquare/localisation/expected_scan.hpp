@@ -8,14 +8,11 @@
 
 namespace setsquare {
 
-/// How far a ray from a place in the grid's frame goes until it meets a wall, in m: the point of the
-/// ray that is nearest to the middle of the wall's cell. Infinite where it meets none within
+/// How far a ray from a place in the grid's frame goes until it meets a wall, in m: the point of
+/// the ray that is nearest to the middle of the wall's cell. Infinite where it meets none within
 /// `max_range_m`, NaN where it runs through space that the grid does not know.
-[[nodiscard]] double range_to_wall(const WallDistance& walls,
-                                   double x_m,
-                                   double y_m,
-                                   double bearing_rad,
-                                   double max_range_m);
+[[nodiscard]] double range_to_wall(
+    const WallDistance& walls, double x_m, double y_m, double bearing_rad, double max_range_m);
 
 /// The beams of a scanner, not what they measured.
 struct BeamLayout {

@@ -4,15 +4,12 @@
 
 #include <algorithm>
 
-#include "setsquare/localisation/wall_directions.hpp"
-
 namespace setsquare {
 
 KnownMap::KnownMap(const OccupancyGrid& grid)
     : T_map_grid_(grid.T_map_grid()),
       walls_(grid),
       correlation_(walls_),
-      directions_(wall_directions(walls_)),
       is_empty_(std::ranges::none_of(grid.values(), [](float value) { return value > 0.0F; }) ||
                 std::ranges::none_of(grid.values(), [](float value) { return value < 0.0F; })) {}
 

@@ -6,7 +6,6 @@
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/localisation/map_correlation.hpp"
 #include "setsquare/localisation/wall_distance.hpp"
-#include "setsquare/surfaces/angle_histogram.hpp"
 
 namespace setsquare {
 
@@ -21,8 +20,6 @@ class KnownMap {
   [[nodiscard]] const Pose2& T_map_grid() const { return T_map_grid_; }
   [[nodiscard]] const WallDistance& walls() const { return walls_; }
   [[nodiscard]] const MapCorrelation& correlation() const { return correlation_; }
-  /// Of its walls, in the grid's frame.
-  [[nodiscard]] const AngleHistogram& directions() const { return directions_; }
   /// Whether it has walls and free space at all.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
@@ -30,7 +27,6 @@ class KnownMap {
   Pose2 T_map_grid_;
   WallDistance walls_;
   MapCorrelation correlation_;
-  AngleHistogram directions_;
   bool is_empty_ = true;
 };
 

@@ -32,9 +32,10 @@ struct LocalisationParams {
   double fix_m = 0.1;
   double fix_rad = rad_from_deg(5.0);
   double evidence_weight = 0.5;  ///< Of each scan's log odds: scans are not independent.
-  double settled_m = 2.0;          ///< Driven while one place was certain: no more searching.
+  double settled_m = 2.0;        ///< Driven while one place was certain: no more searching.
   double max_log_odds = 12.0;    ///< Of a place: some contradictions must be able to outweigh it.
-  double max_unconfirmed_m = 8.0;  ///< Driven since a scan confirmed the place: farther, it is lost.
+  double max_unconfirmed_m =
+      8.0;  ///< Driven since a scan confirmed the place: farther, it is lost.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -101,9 +101,9 @@ class Localizer::Parts {
   std::vector<Hypothesis> hypotheses_;  ///< The most probable first.
   std::vector<PastScan> past_;          ///< The latest of them.
   std::optional<Pose2> said_;
-  Pose2 T_odom_sensor_;    ///< Of the last scan.
-  Pose2 T_odom_fixed_;     ///< Of the last scan that was laid onto the map.
-  Pose2 T_odom_weighed_;   ///< Of the last one that spoke for or against places.
+  Pose2 T_odom_sensor_;   ///< Of the last scan.
+  Pose2 T_odom_fixed_;    ///< Of the last scan that was laid onto the map.
+  Pose2 T_odom_weighed_;  ///< Of the last one that spoke for or against places.
   bool has_weighed_ = false;
   bool is_confirmed_ = false;
   double certain_m_ = 0.0;  ///< Driven since one place became certain.
@@ -250,7 +250,7 @@ void Localizer::Parts::believe_said(const Scan& scan, const SoughtScan& sought) 
 }
 
 void Localizer::Parts::drop_unlikely() {
-  constexpr double kLeast = -6.0;   // Against "elsewhere".
+  constexpr double kLeast = -6.0;     // Against "elsewhere".
   constexpr double kFarBehind = 9.0;  // Against the best one.
   if (hypotheses_.empty()) return;
   std::ranges::stable_sort(hypotheses_, std::ranges::greater{}, &Hypothesis::log_odds);
@@ -259,9 +259,8 @@ void Localizer::Parts::drop_unlikely() {
     for (Hypothesis& hypothesis : hypotheses_) hypothesis.log_odds -= excess;
   }
   const double floor = std::max(kLeast, hypotheses_.front().log_odds - kFarBehind);
-  std::erase_if(hypotheses_, [&](const Hypothesis& hypothesis) {
-    return hypothesis.log_odds < floor;
-  });
+  std::erase_if(hypotheses_,
+                [&](const Hypothesis& hypothesis) { return hypothesis.log_odds < floor; });
   // Two that came to one place are one.
   std::vector<Hypothesis> different;
   for (const Hypothesis& hypothesis : hypotheses_) {

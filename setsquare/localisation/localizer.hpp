@@ -25,7 +25,7 @@ struct LocalisedPose {
   double probability = 0.0;  ///< Of that place.
   /// Of (x, y, theta) of the sensor in the map frame, in m^2, m rad, rad^2, if it is that place.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  bool is_confirmed = false;  ///< The scan was compared with the map there, and agrees.
+  bool is_confirmed = false;   ///< The scan was compared with the map there, and agrees.
   double unconfirmed_m = 0.0;  ///< Driven since a scan was.
   std::vector<PossiblePlace> alternatives;  ///< Other places, the most probable first.
 };
@@ -52,7 +52,8 @@ class Localizer {
   Localizer& operator=(Localizer&&) noexcept;
 
   /// The next scan, with the robot's pose by wheel odometry where the log has one. Throws
-  /// ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not finite.
+  /// ParameterError where the scan's geometry is not valid (Scan::validate) or a pose is not
+  /// finite.
   LocalisedPose add(const Scan& scan, const std::optional<Pose2>& T_wheels_base = std::nullopt);
 
   /// Says where the robot is at the next scan, to about 1 m and 30 deg. A wrong pose is told from a

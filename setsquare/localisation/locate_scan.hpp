@@ -18,8 +18,8 @@ class KnownMap;  // setsquare/localisation/known_map.hpp
 struct PossiblePlace {
   Pose2 T_map_sensor;
   double probability = 0.0;
-  /// Of (x, y, theta) in the map frame, in m^2, m rad, rad^2, if it is this place. Along a direction
-  /// that the walls leave open it is as wide as the search was.
+  /// Of (x, y, theta) in the map frame, in m^2, m rad, rad^2, if it is this place. Along a
+  /// direction that the walls leave open it is as wide as the search was.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };
 

@@ -48,8 +48,8 @@ SETSQUARE_WIDER_CLONES bool sum_tile(const std::uint8_t* first,
 }  // namespace
 
 MapCorrelation::MapCorrelation(const WallDistance& walls) {
-  const auto side = static_cast<std::int32_t>(
-      std::max(1.0, std::round(kCell_m / walls.resolution_m())));
+  const auto side =
+      static_cast<std::int32_t>(std::max(1.0, std::round(kCell_m / walls.resolution_m())));
   cell_m_ = side * walls.resolution_m();
   num_columns_ = (walls.num_columns() + side - 1) / side;
   num_rows_ = (walls.num_rows() + side - 1) / side;
@@ -57,8 +57,8 @@ MapCorrelation::MapCorrelation(const WallDistance& walls) {
   constexpr auto kWidth = static_cast<std::int32_t>(kTileWidth);
   const std::int32_t tiled_columns = (num_columns_ + kWidth - 1) / kWidth * kWidth;
   stride_ = tiled_columns + 2 * margin_;
-  const auto num_cells = static_cast<std::size_t>(stride_) *
-                         static_cast<std::size_t>(num_rows_ + 2 * margin_);
+  const auto num_cells =
+      static_cast<std::size_t>(stride_) * static_cast<std::size_t>(num_rows_ + 2 * margin_);
   cells_.assign(num_cells, kUnknownValue);
   is_free_.assign(num_cells, 0);
 
@@ -136,8 +136,11 @@ void MapCorrelation::propose(const SurfaceSamples& samples,
   std::vector<Tile> high;
   for (const Tile& tile : tiles_) {
     const std::size_t first = cell_index(tile.column, tile.row);
-    if (sum_tile(
-            &cells_[first], offsets.data(), count, static_cast<std::uint8_t>(floor), &sums[first])) {
+    if (sum_tile(&cells_[first],
+                 offsets.data(),
+                 count,
+                 static_cast<std::uint8_t>(floor),
+                 &sums[first])) {
       high.push_back(tile);
     }
   }
@@ -147,10 +150,10 @@ void MapCorrelation::propose(const SurfaceSamples& samples,
     for (std::size_t i = first; i < first + kTileWidth; ++i) {
       const int value = sums[i];
       if (value < floor || is_free_[i] == 0) continue;
-      const int before = std::max({sums[i - stride - 1], sums[i - stride], sums[i - stride + 1],
-                                   sums[i - 1]});
-      const int after = std::max({sums[i + stride + 1], sums[i + stride], sums[i + stride - 1],
-                                  sums[i + 1]});
+      const int before =
+          std::max({sums[i - stride - 1], sums[i - stride], sums[i - stride + 1], sums[i - 1]});
+      const int after =
+          std::max({sums[i + stride + 1], sums[i + stride], sums[i + stride - 1], sums[i + 1]});
       if (value <= before || value < after) continue;
       const auto column = tile.column + static_cast<std::int32_t>(i - first);
       proposals.push_back(

@@ -24,9 +24,9 @@ struct MapProposal {
 /// per instruction.
 class MapCorrelation {
  public:
-  static constexpr double kCell_m = 0.2;        ///< As near to it as the grid's cells allow.
-  static constexpr int kMaxSamples = 60;        ///< Keeps the sums within a byte.
-  static constexpr double kMaxReach_m = 30.0;   ///< Samples farther from the sensor have no part.
+  static constexpr double kCell_m = 0.2;         ///< As near to it as the grid's cells allow.
+  static constexpr int kMaxSamples = 60;         ///< Keeps the sums within a byte.
+  static constexpr double kMaxReach_m = 30.0;    ///< Samples farther from the sensor have no part.
   static constexpr std::size_t kTileWidth = 64;  ///< Translations that are summed at once.
 
   explicit MapCorrelation(const WallDistance& walls);

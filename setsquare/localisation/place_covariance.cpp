@@ -25,8 +25,7 @@ Eigen::Matrix3d mapped(const Eigen::Matrix3d& information, const VarianceOf& var
   const SymmetricEigen<3> eigen = symmetric_eigen(Eigen::Matrix3d(unscale * information * unscale));
   Eigen::Vector3d variances;
   for (int i = 0; i < 3; ++i) variances(i) = variance_of(std::max(0.0, eigen.values(i)));
-  const Eigen::Matrix3d scaled =
-      eigen.vectors * variances.asDiagonal() * eigen.vectors.transpose();
+  const Eigen::Matrix3d scaled = eigen.vectors * variances.asDiagonal() * eigen.vectors.transpose();
   return unscale * scaled * unscale;
 }
 

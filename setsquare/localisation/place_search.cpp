@@ -121,8 +121,9 @@ ComparedBeams compared_beams(const Scan& scan) {
     const BeamOutcome outcome = scan.outcome(beam);
     if (outcome == BeamOutcome::kInvalid) continue;
     beams.bearing_rad.push_back(scan.bearing_rad(beam));
-    beams.range_m.push_back(outcome == BeamOutcome::kReturn ? scan.ranges_m[beam]
-                                                            : std::numeric_limits<double>::infinity());
+    beams.range_m.push_back(outcome == BeamOutcome::kReturn
+                                ? scan.ranges_m[beam]
+                                : std::numeric_limits<double>::infinity());
   }
   return beams;
 }
@@ -137,8 +138,8 @@ double range_agreement(const WallDistance& walls,
   constexpr double kShort = -0.5;  ///< Something stands before the wall: people, new things.
   double sum = 0.0;
   for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
-    const double expected_m = range_to_wall(
-        walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
+    const double expected_m =
+        range_to_wall(walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
     const double range_m = beams.range_m[i];
     if (std::isnan(expected_m)) continue;
     if (std::isinf(range_m)) {
@@ -182,7 +183,8 @@ double unlined_share(const SurfaceSamples& samples) {
   float unlined_m = 0.0F;
   for (std::size_t i = 0; i < samples.size(); ++i) {
     all_m += samples.weight_m[i];
-    if (samples.normal_x[i] == 0.0F && samples.normal_y[i] == 0.0F) unlined_m += samples.weight_m[i];
+    if (samples.normal_x[i] == 0.0F && samples.normal_y[i] == 0.0F)
+      unlined_m += samples.weight_m[i];
   }
   return all_m > 0.0F ? unlined_m / all_m : 1.0;
 }
@@ -231,7 +233,9 @@ bool is_one_place(const Pose2& a, const Pose2& b) {
          std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)) < kSame_rad;
 }
 
-VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const Pose2& T_grid_sensor) {
+VerifiedPlace verified_place(const KnownMap& map,
+                             const SoughtScan& scan,
+                             const Pose2& T_grid_sensor) {
   constexpr std::array<double, 3> kTolerances_m{0.3, 0.2, 0.2};
   const MatchParams params;
   VerifiedPlace place;
@@ -245,15 +249,13 @@ VerifiedPlace verified_place(const KnownMap& map, const SoughtScan& scan, const 
                                                     params.sweep);
   const Pose2& T = refined.T_reference_current;
   place.T_grid_sensor = T_grid_sensor * T;
-  const Alignment aligned = align(
-      expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
+  const Alignment aligned =
+      align(expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
   place.score = score(aligned.evidence, params.score);
   place.unlined_share = unlined_share(scan.prepared.fine);
   place.known_share = known_share(map.walls(), scan.compared, place.T_grid_sensor);
   place.fit = fit_with_ranges(
-      map,
-      scan,
-      {place.T_grid_sensor, fit_at(map.walls(), scan.proposing, place.T_grid_sensor)});
+      map, scan, {place.T_grid_sensor, fit_at(map.walls(), scan.proposing, place.T_grid_sensor)});
   place.kinds = wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
   place.constraint = wall_constraint(refined.pose_hessian);
   place.distinct_wall_m = distinct_wall_m(

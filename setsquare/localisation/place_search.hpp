@@ -14,8 +14,8 @@
 
 namespace setsquare {
 
-/// Some beams of a scan, evenly over its sweep, that tell how far it is to a wall or how far nothing
-/// is.
+/// Some beams of a scan, evenly over its sweep, that tell how far it is to a wall or how far
+/// nothing is.
 struct ComparedBeams {
   std::vector<double> bearing_rad;
   std::vector<double> range_m;  ///< Infinite: nothing within reach.
@@ -35,7 +35,7 @@ struct SoughtScan {
 /// A place compared with the scan that is to be expected there.
 struct VerifiedPlace {
   Pose2 T_grid_sensor;
-  double fit = 0.0;  ///< Of samples on the walls and of ranges with the expected ones, -1 to 1.
+  double fit = 0.0;    ///< Of samples on the walls and of ranges with the expected ones, -1 to 1.
   double score = 0.0;  ///< Of the matcher (score()).
   TwoWayKinds kinds;   ///< The scan's wall on the expected one, and back.
   WallConstraint constraint;

@@ -9,8 +9,8 @@
 namespace setsquare {
 namespace {
 
-/// The squared distance of each place of a row to the nearest parabola (Felzenszwalb and Huttenlocher
-/// 2012): the parabola of place q stands at q and is `square[q]` high.
+/// The squared distance of each place of a row to the nearest parabola (Felzenszwalb and
+/// Huttenlocher 2012): the parabola of place q stands at q and is `square[q]` high.
 class LowerEnvelope {
  public:
   explicit LowerEnvelope(std::size_t length) : vertex_(length), from_(length + 1), found_(length) {}
@@ -67,15 +67,16 @@ WallDistance::WallDistance(const OccupancyGrid& grid)
   // Down and up each column: cells to the nearest wall in it. Then along the rows.
   const auto width = static_cast<std::size_t>(num_columns_);
   const auto height = static_cast<std::size_t>(num_rows_);
-  const auto reach_cells = static_cast<std::uint16_t>(
-      std::min(1e4, std::ceil(kReach_m / resolution_m_) + 1.0));
+  const auto reach_cells =
+      static_cast<std::uint16_t>(std::min(1e4, std::ceil(kReach_m / resolution_m_) + 1.0));
   std::vector<std::uint16_t> in_column(width * height, reach_cells);
   const auto relax = [&](std::size_t row, std::size_t other_row) {
     for (std::size_t column = 0; column < width; ++column) {
       const std::size_t i = row * width + column;
       const std::uint16_t beyond = in_column[other_row * width + column];
       if (beyond < reach_cells) {
-        in_column[i] = std::min<std::uint16_t>(in_column[i], static_cast<std::uint16_t>(beyond + 1));
+        in_column[i] =
+            std::min<std::uint16_t>(in_column[i], static_cast<std::uint16_t>(beyond + 1));
       }
     }
   };
@@ -106,7 +107,8 @@ WallDistance::WallDistance(const OccupancyGrid& grid)
 
 CellIndex WallDistance::cell_at(double x_m, double y_m) const {
   const auto cell_of = [&](double coordinate_m) {
-    return static_cast<std::int32_t>(std::floor(std::clamp(coordinate_m / resolution_m_, -1e9, 1e9)));
+    return static_cast<std::int32_t>(
+        std::floor(std::clamp(coordinate_m / resolution_m_, -1e9, 1e9)));
   };
   return {cell_of(x_m), cell_of(y_m)};
 }

@@ -10,8 +10,8 @@
 
 namespace setsquare {
 
-/// How far the nearest wall of a grid is from each of its cells, up to kReach_m. Places are given in
-/// metres in the grid's frame.
+/// How far the nearest wall of a grid is from each of its cells, up to kReach_m. Places are given
+/// in metres in the grid's frame.
 class WallDistance {
  public:
   static constexpr double kReach_m = 2.5;  ///< What is farther counts as this far.

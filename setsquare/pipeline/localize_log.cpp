@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/pipeline/chosen_scans.hpp"
 
@@ -14,8 +15,12 @@ namespace setsquare {
 OccupancyGrid read_grid_to_localise_in(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (fs::is_directory(path, error)) return read_map_pgm_yaml((fs::path(path) / "map.yaml").string());
-  return read_map_pgm_yaml(path);
+  const bool is_folder = fs::is_directory(path, error);
+  if (is_folder ? fs::exists(map_file_at(path), error)
+                : fs::path(path).extension() == ".setsquare") {
+    return occupancy_grid(load_map_file(path).map);
+  }
+  return read_map_pgm_yaml(is_folder ? (fs::path(path) / "map.yaml").string() : path);
 }
 
 LocalisationCounts counts_of(const LocalizedLog& log) {
@@ -69,7 +74,8 @@ LocalizedLog localize_log(LogReader& reader,
   std::optional<std::uint32_t> scanner;
   while (const LogRecord* record = reader.next()) {
     if (watcher.on_progress) watcher.on_progress(reader.fraction_read());
-    if (record->kind != RecordKind::kScan || !chosen.takes(*record, reader.front_sensor())) continue;
+    if (record->kind != RecordKind::kScan || !chosen.takes(*record, reader.front_sensor()))
+      continue;
     if (!scanner) scanner = record->scan.scanner;
     if (record->scan.scanner != *scanner) continue;
     log.poses.push_back(

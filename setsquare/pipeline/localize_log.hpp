@@ -16,8 +16,8 @@
 
 namespace setsquare {
 
-/// The map to find scans in: map.yaml of any program (map_server, nav2), or a folder that `setsquare
-/// map` wrote. Throws FileError, FormatError.
+/// The map to find scans in: a map file, the folder that `setsquare map` wrote, or the map.yaml of
+/// any program (map_server, nav2). Throws FileError, FormatError.
 [[nodiscard]] OccupancyGrid read_grid_to_localise_in(const std::string& path);
 
 struct LocalizeLogOptions {
@@ -49,8 +49,8 @@ struct LocalisationCounts {
 /// Poses of the scans that were localised.
 [[nodiscard]] Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of = PoseOf::kBase);
 
-/// Reads the opened log to its end and follows its front scanner (or LogOptions::sensor) in the map.
-/// Throws FileError, FormatError, ParameterError; FileError, too, where it has no scan.
+/// Reads the opened log to its end and follows its front scanner (or LogOptions::sensor) in the
+/// map. Throws FileError, FormatError, ParameterError; FileError, too, where it has no scan.
 [[nodiscard]] LocalizedLog localize_log(LogReader& reader,
                                         const std::string& name,
                                         std::shared_ptr<const KnownMap> map,

@@ -48,14 +48,15 @@ std::vector<std::vector<double>> poses_of(const std::string& tum) {
   std::vector<std::vector<double>> poses;
   for (std::string line; std::getline(lines, line);) {
     double stamp = 0.0, x = 0.0, y = 0.0;
-    if (std::sscanf(line.c_str(), "%lf %lf %lf", &stamp, &x, &y) == 3) poses.push_back({stamp, x, y});
+    if (std::sscanf(line.c_str(), "%lf %lf %lf", &stamp, &x, &y) == 3)
+      poses.push_back({stamp, x, y});
   }
   return poses;
 }
 
 TEST_F(CommandLocalize, FindsTheLogInItsOwnMap) {
-  const CommandOutcome outcome = run_setsquare(
-      "localize " + path("map") + " " + path("sim/scans.clf") + " -o " + path("where"));
+  const CommandOutcome outcome = run_setsquare("localize " + path("map") + " " +
+                                               path("sim/scans.clf") + " -o " + path("where"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("found at scan"));
   const auto run = nlohmann::json::parse(text("where/run.json"));
@@ -93,15 +94,13 @@ TEST_F(CommandLocalize, SaysWhatItCannotDo) {
                                               path("sim/scans.clf") + " -o " + path("a"));
   EXPECT_EQ(absent.exit_code, 2);
   EXPECT_THAT(absent.err, HasSubstr("nothing"));
-  const CommandOutcome several = run_setsquare("localize " + path("map") + " " +
-                                               path("sim/scans.clf") + " --sensor all -o " +
-                                               path("b"));
+  const CommandOutcome several = run_setsquare(
+      "localize " + path("map") + " " + path("sim/scans.clf") + " --sensor all -o " + path("b"));
   EXPECT_EQ(several.exit_code, 2);
   EXPECT_THAT(several.err, HasSubstr("one scanner"));
   // Nothing is written onto the map that is read.
   const CommandOutcome onto = run_setsquare("localize " + path("map/map.yaml") + " " +
-                                            path("sim/scans.clf") + " --start 1,2 -o " +
-                                            path("c"));
+                                            path("sim/scans.clf") + " --start 1,2 -o " + path("c"));
   EXPECT_EQ(onto.exit_code, 2);
 }
 

@@ -29,8 +29,8 @@ OccupancyGrid room_with_posts(std::mt19937_64& generator) {
 /// The first wall cell met in steps of a hundredth of a cell.
 double plain_range_m(const WallDistance& walls, double x_m, double y_m, double bearing_rad) {
   for (double range_m = 0.0; range_m < 30.0; range_m += 0.0005) {
-    const CellIndex cell = walls.cell_at(x_m + range_m * std::cos(bearing_rad),
-                                         y_m + range_m * std::sin(bearing_rad));
+    const CellIndex cell =
+        walls.cell_at(x_m + range_m * std::cos(bearing_rad), y_m + range_m * std::sin(bearing_rad));
     if (walls.state(cell) == CellState::kOccupied) return range_m;
   }
   return 30.0;

@@ -31,8 +31,8 @@ class MappedRoom : public ::testing::Test {
  protected:
   void SetUp() override {
     const auto mapping = testing::drive(testing::way_around_the_room());
-    map_ = map_of(testing::scans_on_drive(testing::l_shaped_room(), mapping, kNoise_m, kFan),
-                  mapping);
+    map_ =
+        map_of(testing::scans_on_drive(testing::l_shaped_room(), mapping, kNoise_m, kFan), mapping);
     poses_ = testing::drive({{4.0, 3.0}, {2.0, 2.0}, {1.5, 7.0}, {3.0, 3.0}, {6.5, 3.0}});
     scans_ = testing::scans_on_drive(testing::l_shaped_room(), poses_, kNoise_m, kFan);
   }

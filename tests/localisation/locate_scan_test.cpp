@@ -65,9 +65,9 @@ TEST(LocateScan, FindsScansOfAFurnishedRoomAndIsNeverSurelyWrong) {
       const LocatedScan located = locate_scan(map, scan_at(mapped.room.walls, truth, generator));
       ASSERT_FALSE(located.places.empty());
       const PossiblePlace& best = located.places.front();
-      const bool is_right = distance_m(best.T_map_sensor, truth) < 0.1 &&
-                            std::abs(wrap_to_pi(best.T_map_sensor.theta_rad - truth.theta_rad)) <
-                                rad_from_deg(2.0);
+      const bool is_right =
+          distance_m(best.T_map_sensor, truth) < 0.1 &&
+          std::abs(wrap_to_pi(best.T_map_sensor.theta_rad - truth.theta_rad)) < rad_from_deg(2.0);
       num_right += is_right;
       num_localised += located.status == LocalisationStatus::kLocalised;
       EXPECT_TRUE(is_right || located.status != LocalisationStatus::kLocalised);

@@ -53,7 +53,8 @@ class PlainCorrelation {
   /// 2 on a wall, 1 beside one, -1 in free space, 0 else: above the value of unknown cells.
   [[nodiscard]] int value(int column, int row) const {
     if (kind(column, row) == 'w') return 2;
-    for (const auto& [x, y] : {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
+    for (const auto& [x, y] :
+         {std::pair(-1, 0), std::pair(1, 0), std::pair(0, -1), std::pair(0, 1)}) {
       if (kind(column + x, row + y) == 'w') return 1;
     }
     return kind(column, row) == 'f' ? -1 : 0;
@@ -66,7 +67,10 @@ class PlainCorrelation {
     }
     return false;
   }
-  [[nodiscard]] int sum(const SurfaceSamples& samples, double rotation_rad, int column, int row) const {
+  [[nodiscard]] int sum(const SurfaceSamples& samples,
+                        double rotation_rad,
+                        int column,
+                        int row) const {
     const double c = std::cos(rotation_rad) / 0.2;
     const double s = std::sin(rotation_rad) / 0.2;
     int total = 0;
@@ -132,7 +136,8 @@ TEST(MapCorrelation, ProposesTheLocalMaximaOfThePlainSums) {
       has_highest |= proposal.correlation == highest;
     }
     const bool may_be_there = std::any_of(sums.begin(), sums.end(), [&](const auto& entry) {
-      return entry.second == highest && plain.may_hold_sensor(entry.first.first, entry.first.second);
+      return entry.second == highest &&
+             plain.may_hold_sensor(entry.first.first, entry.first.second);
     });
     EXPECT_TRUE(has_highest || !may_be_there);
   }
@@ -144,9 +149,8 @@ TEST(MapCorrelation, RefusesMoreSamplesThanFitIntoItsSums) {
   const MapCorrelation correlation(walls);
   MapCorrelation::Scratch scratch;
   std::vector<MapProposal> proposals;
-  EXPECT_THROW(
-      correlation.propose(random_samples(generator, 61), 0.0, 1, scratch, proposals),
-      std::invalid_argument);
+  EXPECT_THROW(correlation.propose(random_samples(generator, 61), 0.0, 1, scratch, proposals),
+               std::invalid_argument);
 }
 
 }  // namespace setsquare::map_correlation_test

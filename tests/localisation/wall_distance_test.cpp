@@ -30,9 +30,8 @@ double plain_distance_m(const OccupancyGrid& grid, CellIndex from) {
   for (std::int32_t row = 0; row < grid.num_rows(); ++row) {
     for (std::int32_t column = 0; column < grid.num_columns(); ++column) {
       if (grid.state({column, row}) != CellState::kOccupied) continue;
-      nearest_m = std::min(
-          nearest_m,
-          grid.resolution_m() * std::hypot(column - from.column, row - from.row));
+      nearest_m = std::min(nearest_m,
+                           grid.resolution_m() * std::hypot(column - from.column, row - from.row));
     }
   }
   return nearest_m;

@@ -101,13 +101,12 @@ void add_localize(CLI::App& application) {
   localize_command
       ->add_option("map",
                    options->map_path,
-                   "Folder that `setsquare map` wrote, or the map.yaml of any program (nav2)")
+                   "Folder that `setsquare map` wrote, its map.setsquare, or any map.yaml (nav2)")
       ->type_name("")
       ->required();
   add_log_argument(*localize_command, options->log_path);
   localize_command
-      ->add_option(
-          "-o,--output", options->output_path, "Directory for the results; made if absent")
+      ->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
       ->type_name("DIR")
       ->required();
   localize_command
@@ -127,7 +126,8 @@ void add_localize(CLI::App& application) {
   localize_command->footer(
       "Nothing need be known of where the robot starts: the whole map is searched until one place\n"
       "stands alone, then it is followed. Writes trajectory.tum (scans that are localised),\n"
-      "localisation.tsv (each scan's status, pose, spread and the other places that are possible),\n"
+      "localisation.tsv (each scan's status, pose, spread and the other places that are "
+      "possible),\n"
       "localisation.png and run.json.\n"
       "Examples:\n"
       "  setsquare localize out today.clf -o where\n"

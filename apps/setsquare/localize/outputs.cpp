@@ -72,22 +72,20 @@ std::vector<MappedScan> as_drawn(const LocalizedLog& log) {
 
 std::string run_json_of(const LocalizedLog& log, const std::string& map_name, PoseOf pose_of) {
   const LocalisationCounts counts = counts_of(log);
-  nlohmann::ordered_json json = {
-      {"setsquare", SETSQUARE_VERSION},
-      {"command", "localize"},
-      {"log", log.name},
-      {"format", log.format},
-      {"sensor", log.sensor},
-      {"map", map_name},
-      {"pose_of", pose_of == PoseOf::kSensor ? "sensor" : "base"},
-      {"scans", log.poses.size()},
-      {"localised", counts.num_localised},
-      {"ambiguous", counts.num_ambiguous},
-      {"lost", counts.num_lost},
-      {"confirmed", counts.num_confirmed}};
-  json["first_localised"] = counts.first_localised
-                                ? nlohmann::ordered_json(*counts.first_localised)
-                                : nlohmann::ordered_json(nullptr);
+  nlohmann::ordered_json json = {{"setsquare", SETSQUARE_VERSION},
+                                 {"command", "localize"},
+                                 {"log", log.name},
+                                 {"format", log.format},
+                                 {"sensor", log.sensor},
+                                 {"map", map_name},
+                                 {"pose_of", pose_of == PoseOf::kSensor ? "sensor" : "base"},
+                                 {"scans", log.poses.size()},
+                                 {"localised", counts.num_localised},
+                                 {"ambiguous", counts.num_ambiguous},
+                                 {"lost", counts.num_lost},
+                                 {"confirmed", counts.num_confirmed}};
+  json["first_localised"] = counts.first_localised ? nlohmann::ordered_json(*counts.first_localised)
+                                                   : nlohmann::ordered_json(nullptr);
   return json.dump(2) + "\n";
 }
 
