@@ -21,6 +21,7 @@ enum class TrajectoryAlignment {
   kNone,   ///< Both are in one frame already.
 };
 
+/// How far a trajectory as a whole is from the true one.
 struct AbsoluteTrajectoryError {
   Pose2 T_truth_map;                 ///< The alignment.
   ErrorStatistics translation_m;     ///< Distances of the aligned positions.

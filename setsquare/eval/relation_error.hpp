@@ -14,24 +14,25 @@ namespace setsquare {
 
 /// Mean and sample standard deviation (n - 1); the latter is 0 for fewer than two values.
 struct MeanAndDeviation {
-  double mean = 0.0;
-  double deviation = 0.0;
+  double mean = 0.0;       ///< Of the values, in their unit.
+  double deviation = 0.0;  ///< In the same unit.
 };
 
 /// The errors of a set of relations.
 struct RelationErrors {
-  std::size_t num_relations = 0;
-  MeanAndDeviation translation_m;  ///< |trans(e)|.
-  MeanAndDeviation squared_translation_m2;
-  MeanAndDeviation rotation_rad;  ///< |rot(e)|, wrapped.
-  MeanAndDeviation squared_rotation_rad2;
+  std::size_t num_relations = 0;            ///< That were compared.
+  MeanAndDeviation translation_m;           ///< |trans(e)|.
+  MeanAndDeviation squared_translation_m2;  ///< |trans(e)|^2, as the benchmark prints it.
+  MeanAndDeviation rotation_rad;            ///< |rot(e)|, wrapped.
+  MeanAndDeviation squared_rotation_rad2;   ///< |rot(e)|^2, as the benchmark prints it.
 };
 
 /// The error of a trajectory, over all relations and by the time between their stamps.
 struct RelationErrorReport {
-  RelationErrors all;
+  RelationErrors all;  ///< Of every relation both of whose stamps have a pose.
+  /// Of those with less than 60 s between their stamps: how well neighbours fit.
   RelationErrors under_60_s;
-  RelationErrors from_60_s;
+  RelationErrors from_60_s;     ///< Of those with 60 s and more: how well the map closes.
   std::size_t num_missing = 0;  ///< Relations with a stamp that the trajectory does not have.
 };
 

@@ -17,18 +17,20 @@ enum class RelativeSpan {
   kPoses,     ///< Pairs of poses.
 };
 
+/// Over what spans the relative error is taken.
 struct RelativeErrorParams {
-  RelativeSpan span = RelativeSpan::kDistance;
-  double length = 1.0;  ///< Of the span, in its unit; positive.
+  RelativeSpan span = RelativeSpan::kDistance;  ///< What a span's length is counted in.
+  double length = 1.0;                          ///< Of the span, in its unit; positive.
 
   /// Throws ParameterError where the length is not positive and finite.
   void validate() const;
 };
 
+/// How far the motions over spans are from the true ones.
 struct RelativeTrajectoryError {
-  ErrorStatistics translation_m;
-  ErrorStatistics rotation_rad;
-  std::size_t num_left_out = 0;  ///< Spans of more than 1.5 times the length: a gap in the pairs.
+  ErrorStatistics translation_m;  ///< Of |trans(E)|, in m.
+  ErrorStatistics rotation_rad;   ///< Of |rot(E)|, in rad.
+  std::size_t num_left_out = 0;   ///< Spans of more than 1.5 times the length: a gap in the pairs.
 };
 
 /// The relative trajectory error (RPE; Sturm et al. 2012): from every pair i to the first pair j
