@@ -19,12 +19,14 @@ namespace {
 void bind_statistics(py::module_& module) {
   py::class_<ErrorStatistics>(
       module, "ErrorStatistics", "Summary of a set of errors, in their unit; as evo's.")
-      .def_readonly("num_values", &ErrorStatistics::num_values)
-      .def_readonly("mean", &ErrorStatistics::mean)
-      .def_readonly("rmse", &ErrorStatistics::rmse)
-      .def_readonly("median", &ErrorStatistics::median)
-      .def_readonly("max", &ErrorStatistics::max)
-      .def_readonly("deviation", &ErrorStatistics::deviation)
+      .def_readonly("num_values", &ErrorStatistics::num_values, "How many errors there were.")
+      .def_readonly("mean", &ErrorStatistics::mean, "Their mean.")
+      .def_readonly("rmse", &ErrorStatistics::rmse, "Root of the mean of their squares.")
+      .def_readonly("median", &ErrorStatistics::median, "Of two in the middle the mean.")
+      .def_readonly("max", &ErrorStatistics::max, "The largest.")
+      .def_readonly("deviation",
+                    &ErrorStatistics::deviation,
+                    "Standard deviation about the mean, divided by n.")
       .def("__repr__", [](const ErrorStatistics& self) {
         return fmt::format("ErrorStatistics(mean={:.6g}, rmse={:.6g}, max={:.6g}, num_values={})",
                            self.mean,
@@ -33,8 +35,10 @@ void bind_statistics(py::module_& module) {
                            self.num_values);
       });
   py::class_<MeanAndDeviation>(module, "MeanAndDeviation", "Mean and sample standard deviation.")
-      .def_readonly("mean", &MeanAndDeviation::mean)
-      .def_readonly("deviation", &MeanAndDeviation::deviation)
+      .def_readonly("mean", &MeanAndDeviation::mean, "Of the errors, in their unit.")
+      .def_readonly("deviation",
+                    &MeanAndDeviation::deviation,
+                    "Sample standard deviation (n - 1), in the same unit.")
       .def("__repr__", [](const MeanAndDeviation& self) {
         return fmt::format(
             "MeanAndDeviation(mean={:.6g}, deviation={:.6g})", self.mean, self.deviation);
@@ -49,8 +53,12 @@ void bind_absolute(py::module_& module) {
           "translation_m", &AbsoluteTrajectoryError::translation_m, "Of the positions, in m.")
       .def_readonly(
           "rotation_rad", &AbsoluteTrajectoryError::rotation_rad, "Of the headings, in rad.")
-      .def_readonly("final_translation_m", &AbsoluteTrajectoryError::final_translation_m)
-      .def_readonly("final_rotation_rad", &AbsoluteTrajectoryError::final_rotation_rad)
+      .def_readonly("final_translation_m",
+                    &AbsoluteTrajectoryError::final_translation_m,
+                    "Of the last pose, in m.")
+      .def_readonly("final_rotation_rad",
+                    &AbsoluteTrajectoryError::final_rotation_rad,
+                    "Of the last pose, in rad.")
       .def("__repr__", [](const AbsoluteTrajectoryError& self) {
         return fmt::format("AbsoluteTrajectoryError(rmse {:.4f} m, {:.3f} deg; {} poses)",
                            self.translation_m.rmse,
@@ -71,9 +79,9 @@ Poses are paired by their stamps, within 12 microseconds. Raises ParameterError 
 
 void bind_relations(py::module_& module) {
   py::class_<RelationErrors>(module, "RelationErrors", "Errors of a set of relations.")
-      .def_readonly("num_relations", &RelationErrors::num_relations)
-      .def_readonly("translation_m", &RelationErrors::translation_m)
-      .def_readonly("rotation_rad", &RelationErrors::rotation_rad)
+      .def_readonly("num_relations", &RelationErrors::num_relations, "That were compared.")
+      .def_readonly("translation_m", &RelationErrors::translation_m, "Of the positions, in m.")
+      .def_readonly("rotation_rad", &RelationErrors::rotation_rad, "Of the headings, in rad.")
       .def("__repr__", [](const RelationErrors& self) {
         return fmt::format("RelationErrors({:.4f} m, {:.3f} deg; {} relations)",
                            self.translation_m.mean,
@@ -81,10 +89,17 @@ void bind_relations(py::module_& module) {
                            self.num_relations);
       });
   py::class_<RelationErrorReport>(module, "RelationErrorReport", "By the time between the poses.")
-      .def_readonly("all", &RelationErrorReport::all)
-      .def_readonly("under_60_s", &RelationErrorReport::under_60_s)
-      .def_readonly("from_60_s", &RelationErrorReport::from_60_s)
-      .def_readonly("num_missing", &RelationErrorReport::num_missing)
+      .def_readonly(
+          "all", &RelationErrorReport::all, "Of every relation both of whose stamps have a pose.")
+      .def_readonly("under_60_s",
+                    &RelationErrorReport::under_60_s,
+                    "Of those with less than 60 s between their stamps: how well neighbours fit.")
+      .def_readonly("from_60_s",
+                    &RelationErrorReport::from_60_s,
+                    "Of those with 60 s and more: how well the map closes.")
+      .def_readonly("num_missing",
+                    &RelationErrorReport::num_missing,
+                    "Relations with a stamp that the trajectory does not have.")
       .def("__repr__", [](const RelationErrorReport& self) {
         return fmt::format("RelationErrorReport({:.4f} m, {:.3f} deg; {} relations)",
                            self.all.translation_m.mean,
