@@ -16,7 +16,41 @@ namespace py = pybind11;
 namespace setsquare::python {
 namespace {
 
+/// None for 0 resamples.
+std::optional<BootstrapParams> bootstrap_of(std::size_t num_resamples) {
+  if (num_resamples == 0) return std::nullopt;
+  return BootstrapParams{.num_resamples = num_resamples};
+}
+
+py::tuple pair_of(const ErrorBound& bound) { return py::make_tuple(bound.low, bound.high); }
+
+/// A bound as (low, high).
+auto bound_at(ErrorBound ErrorBounds::*bound) {
+  return [bound](const ErrorBounds& self) { return pair_of(self.*bound); };
+}
+
+void bind_bounds(py::module_& module) {
+  py::class_<ErrorBounds>(
+      module, "ErrorBounds", R"(5 and 95 % of statistics: (low, high), in their unit.
+
+By a block bootstrap: errors are drawn in blocks of neighbours, for those are alike.)")
+      .def_property_readonly("mean", bound_at(&ErrorBounds::mean), "Of the mean.")
+      .def_property_readonly("rmse", bound_at(&ErrorBounds::rmse), "Of the root mean square.")
+      .def_property_readonly("median", bound_at(&ErrorBounds::median), "Of the median.")
+      .def_property_readonly(
+          "deviation", bound_at(&ErrorBounds::deviation), "Of the standard deviation.")
+      .def_readonly("block_length", &ErrorBounds::block_length, "Errors that were drawn together.")
+      .def("__repr__", [](const ErrorBounds& self) {
+        return fmt::format("ErrorBounds(mean={:.6g} to {:.6g}, rmse={:.6g} to {:.6g})",
+                           self.mean.low,
+                           self.mean.high,
+                           self.rmse.low,
+                           self.rmse.high);
+      });
+}
+
 void bind_statistics(py::module_& module) {
+  bind_bounds(module);
   py::class_<ErrorStatistics>(
       module, "ErrorStatistics", "Summary of a set of errors, in their unit; as evo's.")
       .def_readonly("num_values", &ErrorStatistics::num_values, "How many errors there were.")
@@ -27,6 +61,7 @@ void bind_statistics(py::module_& module) {
       .def_readonly("deviation",
                     &ErrorStatistics::deviation,
                     "Standard deviation about the mean, divided by n.")
+      .def_readonly("bounds", &ErrorStatistics::bounds, "None where they were not asked for.")
       .def("__repr__", [](const ErrorStatistics& self) {
         return fmt::format("ErrorStatistics(mean={:.6g}, rmse={:.6g}, max={:.6g}, num_values={})",
                            self.mean,
@@ -39,6 +74,13 @@ void bind_statistics(py::module_& module) {
       .def_readonly("deviation",
                     &MeanAndDeviation::deviation,
                     "Sample standard deviation (n - 1), in the same unit.")
+      .def_property_readonly(
+          "mean_bound",
+          [](const MeanAndDeviation& self) -> py::object {
+            if (!self.mean_bound) return py::none();
+            return pair_of(*self.mean_bound);
+          },
+          "5 and 95 % of the mean: (low, high); None where it was not asked for.")
       .def("__repr__", [](const MeanAndDeviation& self) {
         return fmt::format(
             "MeanAndDeviation(mean={:.6g}, deviation={:.6g})", self.mean, self.deviation);
@@ -67,14 +109,22 @@ void bind_absolute(py::module_& module) {
       });
   module.def(
       "evaluate_trajectory",
-      [](const TrajectoryArrays& trajectory, const TrajectoryArrays& truth) {
-        return evaluate(trajectory.poses, truth.poses);
+      [](const TrajectoryArrays& trajectory,
+         const TrajectoryArrays& truth,
+         std::size_t num_resamples) {
+        return evaluate(trajectory.poses, truth.poses, bootstrap_of(num_resamples));
       },
       py::arg("trajectory"),
       py::arg("truth"),
+      py::kw_only(),
+      py::arg("num_resamples") = 0,
       R"(The absolute error of a trajectory (m, rad) against the true one.
 
-Poses are paired by their stamps, within 12 microseconds. Raises ParameterError where none pairs.)");
+Poses are paired by their stamps, within 12 microseconds.
+num_resamples: for bounds of the statistics (ErrorStatistics.bounds), 20 or more; 0: none. They are
+    those of `setsquare evaluate ate --bootstrap`.
+
+Raises ParameterError where no pose pairs.)");
 }
 
 void bind_relations(py::module_& module) {
@@ -108,14 +158,18 @@ void bind_relations(py::module_& module) {
       });
   module.def(
       "evaluate_relations",
-      [](const TrajectoryArrays& trajectory, const py::object& path) {
-        return evaluate(trajectory.poses, read_relations(path_from(path)));
+      [](const TrajectoryArrays& trajectory, const py::object& path, std::size_t num_resamples) {
+        return evaluate(
+            trajectory.poses, read_relations(path_from(path)), bootstrap_of(num_resamples));
       },
       py::arg("trajectory"),
       py::arg("path"),
+      py::kw_only(),
+      py::arg("num_resamples") = 0,
       R"(The error by relations between poses (m, rad; Kuemmerle et al. 2009).
 
 path: a file of the true relations, a line each: stamp1 stamp2 x y z roll pitch yaw.
+num_resamples: for bounds of the means (mean_bound), 20 or more; 0: none.
 Raises FileError, FormatError.)");
 }
 

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+
+#include "setsquare/eval/bootstrap.hpp"
 
 namespace setsquare {
 
@@ -16,9 +19,15 @@ struct ErrorStatistics {
   double median = 0.0;         ///< The mean of the middle two where there are two.
   double max = 0.0;            ///< The largest.
   double deviation = 0.0;      ///< Standard deviation about the mean, divided by n.
+  std::optional<ErrorBounds> bounds = std::nullopt;  ///< Where they were asked for.
 };
 
 /// The statistics of values that are not negative, in their unit.
 [[nodiscard]] ErrorStatistics error_statistics(std::span<const double> values);
+
+/// The same with bounds, where they are asked for and there is a value; values in the order of
+/// time.
+[[nodiscard]] ErrorStatistics error_statistics(std::span<const double> values,
+                                               const std::optional<BootstrapParams>& bootstrap);
 
 }  // namespace setsquare
