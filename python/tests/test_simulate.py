@@ -62,3 +62,13 @@ def test_maps_what_it_simulates():
     error = setsquare.evaluate_trajectory(mapper.finish().trajectory(), drive.truth)
     assert error.translation_m.rmse < 0.1
     assert np.degrees(error.rotation_rad.rmse) < 0.5
+
+
+def test_what_only_functions_make_cannot_be_made_empty():
+    made = [kind for name in setsquare.__all__ if isinstance(kind := getattr(setsquare, name), type)
+            and not issubclass(kind, Exception) and "__init__" not in vars(kind)]
+    assert setsquare.Map in made and setsquare.ErrorStatistics in made and len(made) > 10
+    for kind in made:
+        for make in (lambda: kind.__new__(kind), lambda: kind(), lambda: object.__new__(kind)):
+            with pytest.raises(TypeError):
+                make()
