@@ -15,11 +15,11 @@ namespace {
 
 const Eigen::Vector2d kErrorPanel_px(860.0, 260.0);
 const Eigen::Vector2d kTrajectoryPanel_px(860.0, 700.0);
-constexpr double kMargin_px = 10.0;
+constexpr double kPlotMargin_px = 10.0;
 
 SvgCanvas canvas_for(const Eigen::Vector2d& panel_px, int num_panels) {
-  const double width_px = panel_px.x() + 2.0 * kMargin_px;
-  const double height_px = num_panels * panel_px.y() + 2.0 * kMargin_px;
+  const double width_px = panel_px.x() + 2.0 * kPlotMargin_px;
+  const double height_px = num_panels * panel_px.y() + 2.0 * kPlotMargin_px;
   SvgCanvas canvas(width_px, height_px);
   canvas.rectangle({0.0, 0.0}, {width_px, height_px}, {.fill = palette::kPaper});
   return canvas;
@@ -47,7 +47,7 @@ void draw_errors(SvgCanvas& canvas,
   }
   const double last_s = points.empty() ? 0.0 : points.back().x();
   PlotPanel plot(canvas,
-                 {kMargin_px, kMargin_px + row * kErrorPanel_px.y()},
+                 {kPlotMargin_px, kPlotMargin_px + row * kErrorPanel_px.y()},
                  kErrorPanel_px,
                  {0.0, last_s > 0.0 ? last_s : 1.0},
                  range_up_to(largest),
@@ -87,7 +87,7 @@ std::string trajectory_plot_svg(const Trajectory& aligned, const Trajectory& ref
   const EqualRanges ranges = equal_ranges(all_m, kTrajectoryPanel_px);
   SvgCanvas canvas = canvas_for(kTrajectoryPanel_px, 1);
   PlotPanel plot(canvas,
-                 {kMargin_px, kMargin_px},
+                 {kPlotMargin_px, kPlotMargin_px},
                  kTrajectoryPanel_px,
                  ranges.x,
                  ranges.y,
