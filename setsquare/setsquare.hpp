@@ -32,3 +32,9 @@
 #include "setsquare/pipeline/map_log.hpp"          // IWYU pragma: export
 #include "setsquare/report/map/save_map.hpp"       // IWYU pragma: export
 #include "setsquare/scan/scan.hpp"                 // IWYU pragma: export
+
+/// Everything of Setsquare. Lengths are in m, angles in rad and counterclockwise, times in s,
+/// unless a name ends otherwise (`_deg`, `_ns`). A pose T_a_b maps points of frame b into frame a;
+/// the frames are those of ROS REP 105: `map`, `odom`, `base` (the robot), `sensor`; x forward, y
+/// left.
+namespace setsquare {}

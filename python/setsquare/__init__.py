@@ -17,6 +17,7 @@ from setsquare import _notebook
 from setsquare._core import (
     AbsoluteTrajectoryError,
     Error,
+    ErrorBounds,
     ErrorStatistics,
     FileError,
     FormatError,
@@ -59,6 +60,7 @@ from setsquare._core import (
 __all__ = [
     "AbsoluteTrajectoryError",
     "Error",
+    "ErrorBounds",
     "ErrorStatistics",
     "FileError",
     "FormatError",

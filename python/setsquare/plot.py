@@ -61,7 +61,7 @@ def map(map, axes=None, path=True, doubts=True):
     if doubts:
         for number, doubt in enumerate(map.doubts, start=1):
             axes.annotate(str(number), doubt.place_m, color="tab:red", weight="bold")
-    axes.set_title(map.verdict)
+    axes.set_title(map.verdict, wrap=True)
     return _finish(axes)
 
 

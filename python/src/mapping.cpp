@@ -93,9 +93,14 @@ void bind_tracked_pose(py::module_& module) {
           "status",
           [](const TrackedPose& self) { return std::string(to_string(self.status)); },
           R"("tracked", "degenerate", "recovered" or "lost".)")
-      .def_readonly("T_odom_sensor", &TrackedPose::T_odom_sensor)
-      .def_readonly("is_keyframe", &TrackedPose::is_keyframe)
-      .def_readonly("is_mapped", &TrackedPose::is_mapped)
+      .def_readonly(
+          "T_odom_sensor",
+          &TrackedPose::T_odom_sensor,
+          "Pose of its sensor at the middle of its sweep, in the odom frame: smooth, drifts.")
+      .def_readonly("is_keyframe", &TrackedPose::is_keyframe, "Whether it is kept to match with.")
+      .def_readonly("is_mapped",
+                    &TrackedPose::is_mapped,
+                    "Else the pose is the expected one: its scanner's mounting is not confirmed.")
       .def_readonly("score",
                     &TrackedPose::score,
                     "Share of the points explained by the submap less share contradicted.")

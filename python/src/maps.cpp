@@ -151,7 +151,7 @@ void bind_doubt(py::module_& module) {
           "kind",
           [](const MapDoubt& doubt) { return std::string(to_string(doubt.kind)); },
           R"("contradicting pairs", "unknown length", "piece not joined" ...)")
-      .def_readonly("reason", &MapDoubt::reason)
+      .def_readonly("reason", &MapDoubt::reason, "A sentence without its full stop.")
       .def_property_readonly(
           "place_m",
           [](const MapDoubt& doubt) {
@@ -159,7 +159,7 @@ void bind_doubt(py::module_& module) {
           },
           "(x, y) in the map, of the robot.")
       .def_readonly("first_scan", &MapDoubt::first_scan, "Index into Map.scans.")
-      .def_readonly("num_scans", &MapDoubt::num_scans)
+      .def_readonly("num_scans", &MapDoubt::num_scans, "In doubt, from first_scan on.")
       .def("__repr__", [](const MapDoubt& doubt) {
         return fmt::format("MapDoubt({} at ({:.1f}, {:.1f}) m: {})",
                            to_string(doubt.kind),

@@ -146,8 +146,8 @@ auto field(Member MatchResult::*member) {
 
 void bind_match_result(py::module_& module) {
   py::class_<RunnerUp>(module, "RunnerUp", "The best proposal that differs from the answer.")
-      .def_readonly("T_reference_current", &RunnerUp::T_reference_current)
-      .def_readonly("score", &RunnerUp::score);
+      .def_readonly("T_reference_current", &RunnerUp::T_reference_current, "Its pose.")
+      .def_readonly("score", &RunnerUp::score, "As MatchResult.score.");
   py::class_<PyMatch>(module, "MatchResult", R"(The answer of a match, with its evidence.
 
 Poses are those of the sensors at the middles of their sweeps:

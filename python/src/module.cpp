@@ -2,6 +2,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "python/src/bindings.hpp"
 
+namespace {
+
+PyObject* refuse_to_make(PyTypeObject* type, PyObject* /*arguments*/, PyObject* /*keywords*/) {
+  PyErr_Format(
+      PyExc_TypeError, "%s has no constructor: functions of setsquare make it", type->tp_name);
+  return nullptr;
+}
+
+/// What only functions make cannot be made empty either, by `X.__new__(X)` or by copying: it would
+/// be memory that nobody wrote. pybind11 itself makes its objects without __new__.
+void refuse_new_where_there_is_no_constructor(const pybind11::module_& module) {
+  for (const auto& [name, item] : module.attr("__dict__").cast<pybind11::dict>()) {
+    if (!PyType_Check(item.ptr())) continue;
+    auto* type = reinterpret_cast<PyTypeObject*>(item.ptr());
+    if (PyType_IsSubtype(type, reinterpret_cast<PyTypeObject*>(PyExc_BaseException)) != 0) continue;
+    const auto own = item.attr("__dict__");
+    if (!own.contains("__init__") && !own.contains("__setstate__")) type->tp_new = &refuse_to_make;
+  }
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_core, module) {
   using namespace setsquare::python;
   module.doc() = "The C++ library behind the package setsquare; use the package.";
@@ -17,4 +39,5 @@ PYBIND11_MODULE(_core, module) {
   bind_localisation(module);
   bind_evaluation(module);
   bind_simulation(module);
+  refuse_new_where_there_is_no_constructor(module);
 }

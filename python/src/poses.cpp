@@ -56,9 +56,10 @@ T_a_c = T_a_b * T_b_c. Its numbers do not change. Wherever a pose is taken, thre
            py::arg("y_m") = 0.0,
            py::arg("theta_rad") = 0.0)
       .def(py::init(&pose_from_sequence), py::arg("values"), "From three numbers.")
-      .def_readonly("x_m", &Pose2::x_m)
-      .def_readonly("y_m", &Pose2::y_m)
-      .def_readonly("theta_rad", &Pose2::theta_rad)
+      .def_readonly("x_m", &Pose2::x_m, "Of the origin of b along the x axis of a, in m.")
+      .def_readonly("y_m", &Pose2::y_m, "The same along its y axis.")
+      .def_readonly(
+          "theta_rad", &Pose2::theta_rad, "How b is turned in a, counterclockwise, in rad.")
       .def_property_readonly(
           "theta_deg",
           [](const Pose2& pose) { return deg_from_rad(pose.theta_rad); },

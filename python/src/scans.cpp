@@ -181,14 +181,22 @@ void bind_scans(py::module_& module) {
       .def("points",
            &points_of,
            "Returns of the sweep in the sensor frame: float array of shape (M, 2), in m.")
-      .def_readonly("first_bearing_rad", &Scan::first_bearing_rad)
-      .def_readonly("bearing_step_rad", &Scan::bearing_step_rad)
-      .def_readonly("min_range_m", &Scan::min_range_m)
-      .def_readonly("max_range_m", &Scan::max_range_m)
-      .def_readonly("T_base_sensor", &Scan::T_base_sensor)
-      .def_readonly("time_increment_s", &Scan::time_increment_s)
-      .def_readonly("scan_time_s", &Scan::scan_time_s)
-      .def_readonly("scanner", &Scan::scanner)
+      .def_readonly("first_bearing_rad",
+                    &Scan::first_bearing_rad,
+                    "Bearing of beam 0: 0 ahead, counterclockwise.")
+      .def_readonly("bearing_step_rad",
+                    &Scan::bearing_step_rad,
+                    "From a beam to the next; negative where the sensor turns clockwise.")
+      .def_readonly("min_range_m", &Scan::min_range_m, "Ranges below it are no measurements.")
+      .def_readonly("max_range_m", &Scan::max_range_m, "Ranges at or above it are no-returns.")
+      .def_readonly("T_base_sensor", &Scan::T_base_sensor, "The sensor's mounting on the robot.")
+      .def_readonly("time_increment_s",
+                    &Scan::time_increment_s,
+                    "From a beam to the next; 0 where it is not known.")
+      .def_readonly(
+          "scan_time_s", &Scan::scan_time_s, "From a sweep to the next; 0 where it is not known.")
+      .def_readonly(
+          "scanner", &Scan::scanner, "Which of the robot's scanners: another number for each.")
       .def_property_readonly(
           "stamp_ns", [](const Scan& scan) { return scan.stamp.ns; }, "Time of the first beam, ns.")
       .def_property_readonly(

@@ -63,3 +63,13 @@ def test_a_map_draws_itself(simulated_log):
     truth = setsquare.Trajectory.read_tum(str(simulated_log / "truth.tum"))
     line = setsquare.plot.errors(mapped.trajectory(), truth).lines[0]
     assert 0.0 < line.get_ydata().max() < 0.3
+
+
+def test_a_maps_title_stays_within_a_narrow_figure(simulated_log):
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(figsize=(2.5, 3))
+    setsquare.plot.map(setsquare.map_log(simulated_log / "scans.clf"), axes)
+    figure.canvas.draw()
+    box = axes.title.get_window_extent()
+    assert 0 <= box.x0 and box.x1 <= figure.bbox.width

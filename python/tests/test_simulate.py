@@ -33,6 +33,19 @@ def test_the_odometry_is_the_truth_without_drift():
     assert setsquare.evaluate_trajectory(drifting.odometry, drifting.truth).translation_m.max > 0.01
 
 
+def test_bounds_lie_about_the_figures():
+    drive = setsquare.simulate("hallway", 2, every_m=0.5)
+    plain = setsquare.evaluate_trajectory(drive.odometry, drive.truth)
+    assert plain.translation_m.bounds is None
+    told = setsquare.evaluate_trajectory(drive.odometry, drive.truth, num_resamples=200).translation_m
+    assert told.mean == plain.translation_m.mean
+    low, high = told.bounds.mean
+    assert low < told.mean < high
+    assert told.bounds.block_length > 1  # Odometry drifts: neighbouring errors are alike.
+    with pytest.raises(setsquare.ParameterError):
+        setsquare.evaluate_trajectory(drive.odometry, drive.truth, num_resamples=3)
+
+
 def test_says_what_it_does_not_know():
     for wrong in ({"building": "castle"}, {"scanner": "sonar"}, {"rate_hz": 0.0}, {"rate_hz": 1e9},
                   {"sweep_time_s": float("nan")}, {"sweep_time_s": -0.1},
@@ -49,3 +62,13 @@ def test_maps_what_it_simulates():
     error = setsquare.evaluate_trajectory(mapper.finish().trajectory(), drive.truth)
     assert error.translation_m.rmse < 0.1
     assert np.degrees(error.rotation_rad.rmse) < 0.5
+
+
+def test_what_only_functions_make_cannot_be_made_empty():
+    made = [kind for name in setsquare.__all__ if isinstance(kind := getattr(setsquare, name), type)
+            and not issubclass(kind, Exception) and "__init__" not in vars(kind)]
+    assert setsquare.Map in made and setsquare.ErrorStatistics in made and len(made) > 10
+    for kind in made:
+        for make in (lambda: kind.__new__(kind), lambda: kind(), lambda: object.__new__(kind)):
+            with pytest.raises(TypeError):
+                make()

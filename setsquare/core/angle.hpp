@@ -7,11 +7,16 @@
 
 namespace setsquare {
 
+/// Half a turn, in rad.
 inline constexpr double kPi = std::numbers::pi;
+/// A whole turn, in rad.
 inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
+/// A quarter of a turn, in rad: walls repeat after it.
 inline constexpr double kQuarterTurn = 0.5 * kPi;
 
+/// Radians of an angle in degrees.
 [[nodiscard]] constexpr double rad_from_deg(double angle_deg) { return angle_deg * (kPi / 180.0); }
+/// Degrees of an angle in radians.
 [[nodiscard]] constexpr double deg_from_rad(double angle_rad) { return angle_rad * (180.0 / kPi); }
 
 /// The angle's equal in [-period/2, period/2), in rad. The period is positive.

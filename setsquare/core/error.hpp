@@ -17,6 +17,7 @@ class Error : public std::runtime_error {
 /// A file that cannot be opened, read or written.
 class FileError : public Error {
  public:
+  /// The message is "PATH: REASON".
   FileError(const std::string& path, const std::string& reason);
 };
 
@@ -24,12 +25,14 @@ class FileError : public Error {
 /// or empty where the whole file is meant.
 class FormatError : public Error {
  public:
+  /// The message is "PATH, LOCATION: REASON", or as FileError's where the location is empty.
   FormatError(const std::string& path, const std::string& location, const std::string& reason);
 };
 
 /// A parameter outside its domain; `name` is the field's name, unit suffix included.
 class ParameterError : public Error {
  public:
+  /// The message is "parameter NAME: REASON".
   ParameterError(const std::string& name, const std::string& reason);
 };
 

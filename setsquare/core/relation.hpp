@@ -10,9 +10,9 @@ namespace setsquare {
 /// One line of ground truth (Kuemmerle et al. 2009): where the robot was at `current_stamp`, seen
 /// from where it was at `reference_stamp`. Poses are those of `base`.
 struct Relation {
-  Timestamp reference_stamp;
-  Timestamp current_stamp;
-  Pose2 T_reference_current;
+  Timestamp reference_stamp;  ///< Of the pose from which the other is seen.
+  Timestamp current_stamp;    ///< Of the pose that is seen.
+  Pose2 T_reference_current;  ///< The true pose of `base` at the second stamp in that of the first.
 };
 
 }  // namespace setsquare

@@ -13,10 +13,12 @@ namespace setsquare {
 /// Sensor time of a scan's first beam: nanoseconds since the log's epoch, exact as the log wrote
 /// it.
 struct Timestamp {
-  std::int64_t ns = 0;
+  std::int64_t ns = 0;  ///< Nanoseconds since the log's epoch.
 
+  /// In seconds: to 0.2 us only, where stamps count from 1970.
   [[nodiscard]] double seconds() const { return static_cast<double>(ns) * 1e-9; }
 
+  /// Earlier stamps are less.
   auto operator<=>(const Timestamp&) const = default;
 };
 
@@ -30,7 +32,12 @@ struct Timestamp {
 [[nodiscard]] std::optional<Timestamp> timestamp_from_decimal(std::string_view text);
 
 /// What a stamp written as a number counts: so many digits behind the point of the seconds.
-enum class StampUnit { kSeconds = 0, kMilliseconds = 3, kMicroseconds = 6, kNanoseconds = 9 };
+enum class StampUnit {
+  kSeconds = 0,       ///< s
+  kMilliseconds = 3,  ///< ms
+  kMicroseconds = 6,  ///< us
+  kNanoseconds = 9,   ///< ns
+};
 
 /// The same for a number of the unit: "976052857337.530" milliseconds.
 [[nodiscard]] std::optional<Timestamp> timestamp_from_decimal(std::string_view text,

@@ -9,9 +9,10 @@
 
 namespace setsquare {
 
+/// Where something was at one moment.
 struct StampedPose {
-  Timestamp stamp;
-  Pose2 pose;
+  Timestamp stamp;  ///< When it was there.
+  Pose2 pose;       ///< In the trajectory's frame; whose pose, `base` or `sensor`, its maker says.
 };
 
 /// Stamped poses in the order in which they were measured (file order). Stamps may run backwards:

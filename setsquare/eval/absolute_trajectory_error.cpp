@@ -62,22 +62,30 @@ Pose2 best_rigid_alignment(std::span<const PosePair> pairs) {
   return {mean_truth.x() - turned.x(), mean_truth.y() - turned.y(), wrap_to_pi(rotation_rad)};
 }
 
+ErrorSeries absolute_errors(std::span<const PosePair> pairs, const Pose2& T_truth_map) {
+  ErrorSeries errors;
+  for (const PosePair& pair : pairs) {
+    const Pose2 aligned = T_truth_map * pair.T_map_base;
+    errors.stamps.push_back(pair.stamp);
+    errors.translation_m.push_back(
+        (aligned.translation() - pair.T_truth_base.translation()).norm());
+    errors.rotation_rad.push_back(
+        std::abs(wrap_to_pi(aligned.theta_rad - pair.T_truth_base.theta_rad)));
+  }
+  return errors;
+}
+
 AbsoluteTrajectoryError absolute_trajectory_error(std::span<const PosePair> pairs,
-                                                  TrajectoryAlignment alignment) {
+                                                  TrajectoryAlignment alignment,
+                                                  const std::optional<BootstrapParams>& bootstrap) {
   assert(!pairs.empty());
   AbsoluteTrajectoryError error;
   error.T_truth_map = align(pairs, alignment);
-  std::vector<double> translation_m;
-  std::vector<double> rotation_rad;
-  for (const PosePair& pair : pairs) {
-    const Pose2 aligned = error.T_truth_map * pair.T_map_base;
-    translation_m.push_back((aligned.translation() - pair.T_truth_base.translation()).norm());
-    rotation_rad.push_back(std::abs(wrap_to_pi(aligned.theta_rad - pair.T_truth_base.theta_rad)));
-  }
-  error.final_translation_m = translation_m.back();
-  error.final_rotation_rad = rotation_rad.back();
-  error.translation_m = error_statistics(translation_m);
-  error.rotation_rad = error_statistics(rotation_rad);
+  const ErrorSeries errors = absolute_errors(pairs, error.T_truth_map);
+  error.final_translation_m = errors.translation_m.back();
+  error.final_rotation_rad = errors.rotation_rad.back();
+  error.translation_m = error_statistics(errors.translation_m, bootstrap);
+  error.rotation_rad = error_statistics(errors.rotation_rad, bootstrap);
   return error;
 }
 

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <optional>
 #include <span>
 
+#include "setsquare/eval/bootstrap.hpp"
+#include "setsquare/eval/error_series.hpp"
 #include "setsquare/eval/error_statistics.hpp"
 #include "setsquare/eval/pose_pairs.hpp"
 
@@ -21,6 +24,7 @@ enum class TrajectoryAlignment {
   kNone,   ///< Both are in one frame already.
 };
 
+/// How far a trajectory as a whole is from the true one.
 struct AbsoluteTrajectoryError {
   Pose2 T_truth_map;                 ///< The alignment.
   ErrorStatistics translation_m;     ///< Distances of the aligned positions.
@@ -30,8 +34,14 @@ struct AbsoluteTrajectoryError {
 };
 
 /// The absolute trajectory error (ATE; Sturm et al. 2012) over the pairs, of which there is at
-/// least one.
-[[nodiscard]] AbsoluteTrajectoryError absolute_trajectory_error(std::span<const PosePair> pairs,
-                                                                TrajectoryAlignment alignment);
+/// least one, in the order of their stamps; with bounds where they are asked for.
+[[nodiscard]] AbsoluteTrajectoryError absolute_trajectory_error(
+    std::span<const PosePair> pairs,
+    TrajectoryAlignment alignment,
+    const std::optional<BootstrapParams>& bootstrap = std::nullopt);
+
+/// The errors of the aligned poses, one per pair.
+[[nodiscard]] ErrorSeries absolute_errors(std::span<const PosePair> pairs,
+                                          const Pose2& T_truth_map);
 
 }  // namespace setsquare

@@ -30,4 +30,11 @@ ErrorStatistics error_statistics(std::span<const double> values) {
           std::sqrt(squared_deviations / num_values)};
 }
 
+ErrorStatistics error_statistics(std::span<const double> values,
+                                 const std::optional<BootstrapParams>& bootstrap) {
+  ErrorStatistics statistics = error_statistics(values);
+  if (bootstrap && !values.empty()) statistics.bounds = bootstrap_bounds(values, *bootstrap);
+  return statistics;
+}
+
 }  // namespace setsquare

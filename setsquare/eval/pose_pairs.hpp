@@ -18,6 +18,7 @@ inline constexpr std::int64_t kSameStamp_ns = 12'000;
 /// The poses of a trajectory by their stamps; the trajectory's order does not matter.
 class PoseIndex {
  public:
+  /// Sorts a copy of the poses by their stamps.
   explicit PoseIndex(const Trajectory& trajectory);
 
   /// The pose nearest in time, at most `tolerance_ns` away; of two equally near the earlier, of two
@@ -35,11 +36,12 @@ class PoseIndex {
 /// The same moment in two trajectories: in the frame `map` of the one that is judged and in the
 /// frame `truth` of its reference.
 struct PosePair {
-  Timestamp stamp;  ///< The reference's.
-  Pose2 T_map_base;
-  Pose2 T_truth_base;
+  Timestamp stamp;     ///< The reference's.
+  Pose2 T_map_base;    ///< By the trajectory that is judged.
+  Pose2 T_truth_base;  ///< By its reference.
 };
 
+/// Two trajectories, moment by moment.
 struct PairedPoses {
   std::vector<PosePair> pairs;   ///< Earliest first.
   std::size_t num_unpaired = 0;  ///< Poses of the trajectory without one of the reference.

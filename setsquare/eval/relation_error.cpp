@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/eval/relation_error.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <vector>
 
 #include "setsquare/eval/pose_pairs.hpp"
@@ -12,69 +14,82 @@ namespace {
 
 constexpr double kLongTime_s = 60.0;
 
-struct RelationError {
-  double seconds = 0.0;
-  double translation_m = 0.0;
-  double rotation_rad = 0.0;
-};
-
-MeanAndDeviation mean_and_deviation(const std::vector<double>& values) {
+MeanAndDeviation mean_and_deviation(const std::vector<double>& values,
+                                    const std::optional<BootstrapParams>& bootstrap) {
   if (values.empty()) return {};
   double sum = 0.0;
   for (const double value : values) sum += value;
-  const double mean = sum / static_cast<double>(values.size());
-  if (values.size() < 2) return {mean, 0.0};
+  MeanAndDeviation found = {.mean = sum / static_cast<double>(values.size())};
+  if (bootstrap) found.mean_bound = bootstrap_bounds(values, *bootstrap).mean;
+  if (values.size() < 2) return found;
   double sum_of_squares = 0.0;
-  for (const double value : values) sum_of_squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(sum_of_squares / static_cast<double>(values.size() - 1))};
+  for (const double value : values) sum_of_squares += (value - found.mean) * (value - found.mean);
+  found.deviation = std::sqrt(sum_of_squares / static_cast<double>(values.size() - 1));
+  return found;
 }
 
-template <typename IsIncluded>
-RelationErrors summarise(const std::vector<RelationError>& errors, const IsIncluded& is_included) {
+std::vector<double> squared(std::vector<double> values) {
+  for (double& value : values) value *= value;
+  return values;
+}
+
+/// Those of the errors whose stamps are so far apart.
+RelationErrors summarise(const RelationErrorSeries& series,
+                         const std::function<bool(double seconds)>& is_included,
+                         const std::optional<BootstrapParams>& bootstrap) {
   std::vector<double> translation_m;
-  std::vector<double> squared_translation_m2;
   std::vector<double> rotation_rad;
-  std::vector<double> squared_rotation_rad2;
-  for (const RelationError& error : errors) {
-    if (!is_included(error)) continue;
-    translation_m.push_back(error.translation_m);
-    squared_translation_m2.push_back(error.translation_m * error.translation_m);
-    rotation_rad.push_back(error.rotation_rad);
-    squared_rotation_rad2.push_back(error.rotation_rad * error.rotation_rad);
+  for (std::size_t i = 0; i < series.seconds.size(); ++i) {
+    if (!is_included(series.seconds[i])) continue;
+    translation_m.push_back(series.errors.translation_m[i]);
+    rotation_rad.push_back(series.errors.rotation_rad[i]);
   }
   return {translation_m.size(),
-          mean_and_deviation(translation_m),
-          mean_and_deviation(squared_translation_m2),
-          mean_and_deviation(rotation_rad),
-          mean_and_deviation(squared_rotation_rad2)};
+          mean_and_deviation(translation_m, bootstrap),
+          mean_and_deviation(squared(translation_m), bootstrap),
+          mean_and_deviation(rotation_rad, bootstrap),
+          mean_and_deviation(squared(rotation_rad), bootstrap)};
 }
 
 }  // namespace
 
-RelationErrorReport relation_error(const Trajectory& trajectory,
-                                   std::span<const Relation> relations) {
+RelationErrorSeries relation_errors(const Trajectory& trajectory,
+                                    std::span<const Relation> relations) {
+  std::vector<Relation> in_order(relations.begin(), relations.end());
+  std::stable_sort(in_order.begin(), in_order.end(), [](const Relation& a, const Relation& b) {
+    return a.reference_stamp < b.reference_stamp;
+  });
   const PoseIndex poses(trajectory);
-  RelationErrorReport report;
-  std::vector<RelationError> errors;
-  for (const Relation& relation : relations) {
+  RelationErrorSeries series;
+  for (const Relation& relation : in_order) {
     const auto reference = poses.find(relation.reference_stamp);
     const auto current = poses.find(relation.current_stamp);
     if (!reference || !current) {
-      ++report.num_missing;
+      ++series.num_missing;
       continue;
     }
     const Pose2 T_reference_current = reference->pose.inverse() * current->pose;
     const Pose2 error = T_reference_current * relation.T_reference_current.inverse();
-    errors.push_back({std::abs(seconds_between(relation.reference_stamp, relation.current_stamp)),
-                      std::hypot(error.x_m, error.y_m),
-                      std::abs(wrap_to_pi(error.theta_rad))});
+    series.errors.stamps.push_back(relation.reference_stamp);
+    series.errors.translation_m.push_back(std::hypot(error.x_m, error.y_m));
+    series.errors.rotation_rad.push_back(std::abs(wrap_to_pi(error.theta_rad)));
+    series.seconds.push_back(
+        std::abs(seconds_between(relation.reference_stamp, relation.current_stamp)));
   }
-  report.all = summarise(errors, [](const RelationError&) { return true; });
-  report.under_60_s =
-      summarise(errors, [](const RelationError& error) { return error.seconds < kLongTime_s; });
-  report.from_60_s =
-      summarise(errors, [](const RelationError& error) { return error.seconds >= kLongTime_s; });
-  return report;
+  return series;
+}
+
+RelationErrorReport relation_error(const Trajectory& trajectory,
+                                   std::span<const Relation> relations,
+                                   const std::optional<BootstrapParams>& bootstrap) {
+  const RelationErrorSeries series = relation_errors(trajectory, relations);
+  const auto is_any = [](double) { return true; };
+  const auto is_short = [](double seconds) { return seconds < kLongTime_s; };
+  const auto is_long = [](double seconds) { return seconds >= kLongTime_s; };
+  return {summarise(series, is_any, bootstrap),
+          summarise(series, is_short, bootstrap),
+          summarise(series, is_long, bootstrap),
+          series.num_missing};
 }
 
 }  // namespace setsquare

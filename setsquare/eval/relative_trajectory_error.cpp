@@ -46,31 +46,36 @@ void RelativeErrorParams::validate() const {
   if (!(length > 0.0) || !std::isfinite(length)) throw ParameterError("length", "must be positive");
 }
 
-RelativeTrajectoryError relative_trajectory_error(std::span<const PosePair> pairs,
-                                                  const RelativeErrorParams& params) {
+RelativeErrors relative_errors(std::span<const PosePair> pairs, const RelativeErrorParams& params) {
   params.validate();
   const std::vector<double> positions = positions_along(pairs, params.span);
   const double least = params.length * (1.0 - kRelativeRounding);
-  RelativeTrajectoryError error;
-  std::vector<double> translation_m;
-  std::vector<double> rotation_rad;
+  RelativeErrors found;
   std::size_t j = 0;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     while (j < pairs.size() && positions[j] - positions[i] < least) ++j;
     if (j == pairs.size()) break;
     if (positions[j] - positions[i] > kMaxStretch * params.length) {
-      ++error.num_left_out;
+      ++found.num_left_out;
       continue;
     }
     const Pose2 T_true = pairs[i].T_truth_base.inverse() * pairs[j].T_truth_base;
     const Pose2 T_judged = pairs[i].T_map_base.inverse() * pairs[j].T_map_base;
     const Pose2 difference = T_true.inverse() * T_judged;
-    translation_m.push_back(difference.translation().norm());
-    rotation_rad.push_back(std::abs(wrap_to_pi(difference.theta_rad)));
+    found.errors.stamps.push_back(pairs[i].stamp);
+    found.errors.translation_m.push_back(difference.translation().norm());
+    found.errors.rotation_rad.push_back(std::abs(wrap_to_pi(difference.theta_rad)));
   }
-  error.translation_m = error_statistics(translation_m);
-  error.rotation_rad = error_statistics(rotation_rad);
-  return error;
+  return found;
+}
+
+RelativeTrajectoryError relative_trajectory_error(std::span<const PosePair> pairs,
+                                                  const RelativeErrorParams& params,
+                                                  const std::optional<BootstrapParams>& bootstrap) {
+  const RelativeErrors found = relative_errors(pairs, params);
+  return {error_statistics(found.errors.translation_m, bootstrap),
+          error_statistics(found.errors.rotation_rad, bootstrap),
+          found.num_left_out};
 }
 
 }  // namespace setsquare

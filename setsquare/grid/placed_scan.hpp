@@ -10,8 +10,8 @@ namespace setsquare {
 /// A scan where it was taken. The scan is the caller's and must outlive this. A separate
 /// header, so that users of a map need not include the rest of the grid.
 struct PlacedScan {
-  const Scan* scan = nullptr;
-  Pose2 T_map_sensor;
+  const Scan* scan = nullptr;  ///< Not null.
+  Pose2 T_map_sensor;          ///< Where its sensor was in the map frame.
 };
 
 }  // namespace setsquare

@@ -23,7 +23,7 @@ struct StraightPieceParams {
 
 /// Parameters of square_directions. Angles in rad.
 struct SquareDirectionParams {
-  StraightPieceParams pieces = {};
+  StraightPieceParams pieces = {};     ///< How returns are joined to straight pieces.
   std::size_t max_num_peaks = 3;       ///< Directions proposed.
   double min_separation_rad = 0.0873;  ///< Between two of them (5 deg).
   double density_width_rad = 0.0122;   ///< Standard deviation that smooths the pieces' directions.
@@ -53,6 +53,7 @@ struct HeadingTraceParams {
   /// whatever its cost: where one scan was lost the walls may turn by 45 deg, but an unseen robot
   /// may not.
   double max_drift_sigmas = 4.0;
+  /// A smaller move is drift, however certain the step.
   double min_change_rad = rad_from_deg(10.0);
   double change_cost = 6.0;  ///< Of a change of frame, however large.
 
@@ -92,9 +93,9 @@ struct DoubtedTurnParams {
 
 /// Parameters of fuse_headings. Angles in rad.
 struct HeadingFusionParams {
-  HeadingTraceParams trace = {};
-  HeadingFramesParams frames = {};
-  DoubtedTurnParams doubt = {};
+  HeadingTraceParams trace = {};                  ///< How proposals are joined to a trace.
+  HeadingFramesParams frames = {};                ///< How wings are told apart.
+  DoubtedTurnParams doubt = {};                   ///< Which turns are asked about.
   double building_sigma_rad = rad_from_deg(0.3);  ///< Of a proposal, in addition to its own sigma.
   double inlier_rad = rad_from_deg(1.0);  ///< Residual at which a proposal's weight falls to 1/4.
   int num_iterations = 30;                ///< Of reweighting.

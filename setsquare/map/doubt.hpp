@@ -27,13 +27,13 @@ enum class DoubtKind {
 
 /// A place where the map may be wrong, and why.
 struct MapDoubt {
-  DoubtKind kind = DoubtKind::kContradictingPairs;
+  DoubtKind kind = DoubtKind::kContradictingPairs;    ///< Why it is doubted.
   Eigen::Vector2d place_m = Eigen::Vector2d::Zero();  ///< Of the robot, in the map frame.
   std::size_t first_scan = 0;                         ///< Of Map::scans.
-  std::size_t num_scans = 0;
-  Timestamp first_stamp;
-  Timestamp last_stamp;
-  std::string reason;  ///< A sentence without its full stop.
+  std::size_t num_scans = 0;  ///< In doubt, from first_scan on; 0 where it is a single place.
+  Timestamp first_stamp;      ///< Of first_scan.
+  Timestamp last_stamp;       ///< Of the last of num_scans.
+  std::string reason;         ///< A sentence without its full stop.
 };
 
 }  // namespace setsquare

@@ -21,10 +21,10 @@ enum class GyroVerdict {
 
 /// What became of a log's gyro.
 struct GyroReport {
-  GyroVerdict verdict = GyroVerdict::kOpen;
-  std::size_t num_samples = 0;
-  std::size_t num_turns = 0;    ///< By which it was judged.
-  double scale = 0.0;           ///< The scans' turns over the gyro's.
+  GyroVerdict verdict = GyroVerdict::kOpen;  ///< At the end of the log.
+  std::size_t num_samples = 0;               ///< That came.
+  std::size_t num_turns = 0;                 ///< By which it was judged.
+  double scale = 0.0;                        ///< The scans' turns over the gyro's.
   double scans_late_s = 0.0;    ///< The scans' stamps behind the gyro's, where it is not believed.
   double bias_rad_per_s = 0.0;  ///< What it shows where the robot does not turn, at the end.
 

@@ -31,11 +31,13 @@ namespace setsquare {
 
 /// A scan in the map.
 struct MappedScan {
-  Timestamp stamp;
-  TrackStatus status = TrackStatus::kTracked;
+  Timestamp stamp;                             ///< As the log has it.
+  TrackStatus status = TrackStatus::kTracked;  ///< How tracking placed it.
   bool is_placed = true;  ///< False in a piece of track that could not be joined to the map.
+  /// Pose of its sensor at the middle of its sweep, in the map; in the piece's own frame where it
+  /// is not placed.
   Pose2 T_map_sensor;
-  Pose2 T_map_base;
+  Pose2 T_map_base;           ///< Pose of the robot at the same moment, in the same frame.
   double score = 0.0;         ///< See TrackedPose; the paper's product of ZNCCs by PaperMapper.
   bool has_odometry = false;  ///< Whether odometry predicted it.
   /// How far off the motion from the last scan may be (sigma), along the direction in the map that
@@ -63,29 +65,29 @@ struct MappedScan {
 /// A whole scan that the map keeps to draw walls with. That of a keyframe shares the keyframe's
 /// memory.
 struct KeptScan {
-  std::size_t index = 0;  ///< Of Map::scans.
-  std::shared_ptr<const Scan> scan;
+  std::size_t index = 0;             ///< Of Map::scans.
+  std::shared_ptr<const Scan> scan;  ///< Never null.
 };
 
 /// A pair of places that was compared, with the scans that it is about.
 struct MappedClosure {
-  LoopClosure closure;
-  std::size_t scan_i = 0;
-  std::size_t scan_j = 0;
+  LoopClosure closure;     ///< By stamps, poses of `base`.
+  std::size_t scan_i = 0;  ///< Index of Map::scans.
+  std::size_t scan_j = 0;  ///< Index of Map::scans.
 };
 
 /// A part of the track that tracking holds together.
 struct TrackPiece {
-  std::size_t first_scan = 0;
-  std::size_t num_scans = 0;
+  std::size_t first_scan = 0;  ///< Index of Map::scans.
+  std::size_t num_scans = 0;   ///< Of the piece, one after the other.
   bool is_joined = true;  ///< To the largest piece; otherwise its place in the map is not known.
 };
 
 /// A stretch along which the scans left one direction open, a bare corridor, or the turn, a round
 /// hall.
 struct OpenStretch {
-  std::size_t first_scan = 0;
-  std::size_t num_scans = 0;
+  std::size_t first_scan = 0;   ///< Index of Map::scans.
+  std::size_t num_scans = 0;    ///< Of the stretch, one after the other.
   double way_m = 0.0;           ///< Travelled meanwhile, as far as is known.
   double duration_s = 0.0;      ///< From its first scan to its last.
   double direction_rad = 0.0;   ///< The open direction in the map frame, modulo pi.
@@ -98,8 +100,9 @@ struct OpenStretch {
 /// Scans between which the building's walls turn against the tracked rotation, and no match of
 /// scans tells whether tracking slipped there or walls of another wing begin.
 struct UndecidedTurn {
-  std::size_t first_scan = 0;
-  std::size_t last_scan = 0;
+  std::size_t first_scan = 0;  ///< Index of Map::scans: before the turn.
+  std::size_t last_scan = 0;   ///< Index of Map::scans: after it.
+  /// By how much the walls turn against the tracked rotation, counterclockwise.
   double turned_rad = 0.0;
 };
 
@@ -123,18 +126,18 @@ struct BuildingFrame {
 /// What a mapper knows. The map's axes are those of the building's main frame.
 struct Map {
   std::vector<MappedScan> scans;  ///< Every scan that was mapped, in the order in which it came.
-  std::vector<std::size_t> keyframes;   ///< Indices of scans.
-  std::vector<MappedHeading> headings;  ///< One per keyframe; none by PaperMapper.
-  std::vector<BuildingFrame> frames;    ///< The main one first; none by PaperMapper.
-  std::vector<TrackPiece> pieces;       ///< One where tracking was never lost for long.
-  std::vector<MappedClosure> closures;  ///< Accepted and refused; none by PaperMapper.
-  std::vector<OpenStretch> open_stretches;
-  std::vector<UndecidedTurn> undecided_turns;
-  std::vector<MappedScanner> scanners;  ///< As they came; none by PaperMapper.
-  GyroReport gyro;                      ///< What became of its samples, if there were any.
-  OdometryReport odometry;              ///< Whether it moved as the scans show.
-  SweepReport sweep;                    ///< How long the leading scanner takes for a scan.
-  std::size_t num_with_odometry = 0;    ///< Scans that came with a pose by wheel odometry.
+  std::vector<std::size_t> keyframes;       ///< Indices of scans.
+  std::vector<MappedHeading> headings;      ///< One per keyframe; none by PaperMapper.
+  std::vector<BuildingFrame> frames;        ///< The main one first; none by PaperMapper.
+  std::vector<TrackPiece> pieces;           ///< One where tracking was never lost for long.
+  std::vector<MappedClosure> closures;      ///< Accepted and refused; none by PaperMapper.
+  std::vector<OpenStretch> open_stretches;  ///< Bare corridors and round halls, in the map's order.
+  std::vector<UndecidedTurn> undecided_turns;  ///< In the map's order; empty by PaperMapper.
+  std::vector<MappedScanner> scanners;         ///< As they came; none by PaperMapper.
+  GyroReport gyro;                             ///< What became of its samples, if there were any.
+  OdometryReport odometry;                     ///< Whether it moved as the scans show.
+  SweepReport sweep;                           ///< How long the leading scanner takes for a scan.
+  std::size_t num_with_odometry = 0;           ///< Scans that came with a pose by wheel odometry.
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
   /// weights, the headings measured; empty by PaperMapper.
   PoseGraph graph;
@@ -152,7 +155,10 @@ void validate(const Map& map);
 inline constexpr double kOpenHeading_rad = rad_from_deg(5.0);
 
 /// Whose poses a trajectory holds.
-enum class PoseOf { kBase, kSensor };
+enum class PoseOf {
+  kBase,    ///< The robot's.
+  kSensor,  ///< Its scanner's.
+};
 
 /// The poses of the scans that are placed, in the order in which they came.
 [[nodiscard]] Trajectory trajectory_of(const Map& map, PoseOf pose_of = PoseOf::kBase);
@@ -171,6 +177,7 @@ enum class PoseOf { kBase, kSensor };
 /// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
 /// are left out: they would smear the walls. The map must outlive them.
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
+/// Not of a map that ends with the expression: the scans are the map's.
 std::vector<PlacedScan> placed_scans(Map&&) = delete;
 
 /// The occupancy grid of placed_scans(). `grid_heading_rad`: direction of its rows in the map

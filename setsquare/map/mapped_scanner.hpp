@@ -24,10 +24,10 @@ enum class MountingVerdict {
 /// One of the robot's scanners. The scans of one whose mounting is not confirmed are left out of
 /// the map; those before it is confirmed, too.
 struct MappedScanner {
-  std::uint32_t scanner = 0;  ///< Scan::scanner
-  MountingVerdict verdict = MountingVerdict::kReference;
-  std::size_t num_scans = 0;      ///< That came.
-  std::size_t num_mapped = 0;     ///< Of these, part of the map.
+  std::uint32_t scanner = 0;                              ///< Scan::scanner
+  MountingVerdict verdict = MountingVerdict::kReference;  ///< At the end of the log.
+  std::size_t num_scans = 0;                              ///< That came.
+  std::size_t num_mapped = 0;                             ///< Of these, part of the map.
   std::size_t num_sightings = 0;  ///< Scans by which the mounting was judged.
   Pose2 T_base_sensor;            ///< As its scans say.
   Pose2 T_base_seen;              ///< As the walls show it, by these scans,

@@ -29,8 +29,8 @@ struct OdometryComparison {
 /// What became of a log's odometry.
 struct OdometryReport {
   OdometryVerdict verdict = OdometryVerdict::kOpen;  ///< At the end.
-  OdometryComparison way;
-  OdometryComparison turn;
+  OdometryComparison way;                            ///< Of the distances driven.
+  OdometryComparison turn;                           ///< Of the angles turned.
   std::size_t num_ignored = 0;  ///< Scans whose odometry was no odometry, and was not used.
   std::size_t num_jumps = 0;    ///< Of these, after a step that no robot makes.
   /// Times that what the scans see changed while the wheels stood still: the robot was carried.

@@ -19,7 +19,7 @@ enum class SweepVerdict {
 
 /// What became of the skew of a log's scans.
 struct SweepReport {
-  SweepVerdict verdict = SweepVerdict::kUnknown;
+  SweepVerdict verdict = SweepVerdict::kUnknown;  ///< At the end of the log.
   double sweep_s = 0.0;       ///< Negative where the last beam of a scan is measured first.
   double stated_s = 0.0;      ///< What the log states; 0 where it states nothing.
   std::size_t num_turns = 0;  ///< Scans during turns by which it was found.

@@ -35,11 +35,15 @@ struct MapperParams;  // setsquare/mapping/mapper_params.hpp; every default work
 /// scans that Map::kept_scans names.
 class Mapper {
  public:
+  /// With every parameter at its default.
   Mapper();
   /// Throws ParameterError that names the field.
   explicit Mapper(const MapperParams& params);
+  /// Ends it; maps that it gave stay.
   ~Mapper();
+  /// Leaves the other without parts: it may only be assigned to or ended.
   Mapper(Mapper&&) noexcept;
+  /// The same.
   Mapper& operator=(Mapper&&) noexcept;
 
   /// The next scan of the log, with the robot's pose by wheel odometry where the log has one. Scans

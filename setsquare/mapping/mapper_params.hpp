@@ -40,10 +40,10 @@ struct SubmapMatchParams {
   double min_start_score = -0.1;      ///< ... unless all score less than this as they are.
   /// After one step, in score and in agreement: candidates that lag more are dropped.
   double max_lag = 0.4;
-  AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};
-  AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};
-  int num_catching_steps = 4;
-  int num_settling_steps = 6;
+  AlignmentScale catching{.gate_m = 0.30, .scale_m = 0.15};  ///< Of the first steps, which catch.
+  AlignmentScale settling{.gate_m = 0.15, .scale_m = 0.07};  ///< Of the later ones, which settle.
+  int num_catching_steps = 4;  ///< Gauss-Newton steps at the first scale.
+  int num_settling_steps = 6;  ///< And at the second.
   /// Weight of the expected rotation, in points x m^2: the fused headings are better than a few
   /// far points.
   double heading_weight = 2000.0;
@@ -57,7 +57,9 @@ struct SubmapMatchParams {
 
 /// What decides whether two submaps that were matched close a loop.
 struct ClosureVerdictParams {
+  /// Agreement less weighted contradiction, as SubmapMatchParams weighs them.
   double min_score = 0.35;
+  /// Share of the compared points that lie where the other submap saw through.
   double max_contradiction = 0.10;
   double min_margin = 0.10;            ///< Of the score and of the agreement over any other's.
   double min_effective_points = 10.0;  ///< Along the open direction; below, it is left open.
@@ -74,9 +76,9 @@ struct LoopCloserParams {
   // Both for each of the track's scanners.
   std::size_t station_spacing = 3;    ///< Keyframes from station to station ...
   std::size_t submap_half_width = 3;  ///< ... and to either side of one in its submap.
-  ClosureCandidateParams candidates;
-  SubmapMatchParams match;
-  ClosureVerdictParams verdict;
+  ClosureCandidateParams candidates;  ///< Which places are compared.
+  SubmapMatchParams match;            ///< How they are.
+  ClosureVerdictParams verdict;       ///< Which of them close a loop.
   /// Noise of one point, correlated with its neighbours' noise.
   double point_sigma_m = 0.10;
 
@@ -104,10 +106,11 @@ struct PieceJoiningParams {
 
 /// Parameters of register_keyframes.
 struct RegistrationParams {
-  int num_rounds = 2;
+  int num_rounds = 2;  ///< Times that all keyframes are compared and moved.
   /// Keyframes just before it that each is compared with, for each of the track's scanners.
   std::size_t num_before = 4;
   std::size_t max_revisits = 6;  ///< Keyframes of earlier visits, by accepted closures.
+  /// How distances between their points and surfaces count.
   AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
   double min_explained = 0.3;      ///< Of a keyframe's points; pairs with less are left out.
   double max_contradicted = 0.15;  ///< Of the points compared.
@@ -152,7 +155,7 @@ struct MountingTrialParams {
 
 /// Parameters of audit_map.
 struct AuditParams {
-  bool is_on = true;
+  bool is_on = true;                 ///< Else Map::audit and Map::doubts stay empty.
   double pairs_per_keyframe = 0.75;  ///< Tried at first ...
   std::size_t min_num_pairs = 300;   ///< ... but so many at least ...
   std::size_t max_num_pairs = 1000;  ///< ... and at most.
@@ -161,16 +164,17 @@ struct AuditParams {
   double revisit_way_m = 8.0;  ///< From here on the robot came back.
   /// A match contradicts the map if it is off by this, or by this ...
   double off_m = 0.3;
+  /// ... in rotation, either way ...
   double off_rad = rad_from_deg(5.0);
   double max_sigmas = 3.0;  ///< ... and by so many of the map's own spreads.
   double part_m = 12.0;     ///< Of track: contradictions of the same two parts may be one.
   /// Corrections that are alike differ by less than this and this share of their size ...
   double alike_m = 0.3;
-  double alike_share = 0.2;
+  double alike_share = 0.2;              ///< See alike_m.
   double alike_rad = rad_from_deg(5.0);  ///< ... and by less than this.
   /// Places that must ask for the same correction; and how many times more than agree.
   std::size_t min_seconded = 3;
-  double min_majority = 2.0;
+  double min_majority = 2.0;  ///< See min_seconded.
   /// Times that loops are closed again by what contradicts the map, if that explains more.
   int max_mendings = 2;
 
@@ -180,7 +184,7 @@ struct AuditParams {
 
 /// Parameters of closures_anywhere.
 struct ClosuresAnywhereParams {
-  bool is_on = true;
+  bool is_on = true;  ///< Else loops behind bare corridors are closed only where they are expected.
   double min_spread_m = 0.5;         ///< Where ways are known better (sigma), it is not needed.
   std::size_t max_num_places = 240;  ///< Of the track, that are looked for ...
   std::size_t num_alike = 8;         ///< ... and places that each is matched with.
@@ -189,7 +193,7 @@ struct ClosuresAnywhereParams {
   /// Spreads of the position by which the extent of what is told must exceed the correction, where
   /// one room tells it, and where two do; three rooms must extend over one spread.
   double num_sigmas_of_one = 3.0;
-  double num_sigmas_of_two = 2.0;
+  double num_sigmas_of_two = 2.0;    ///< The same where two rooms tell it.
   double extent_share = 1.0;         ///< Of that extent; with 0 extents do not count.
   int max_rounds = 3;                ///< Loops are closed again so often.
   double min_kept = 0.8;             ///< Matches that the new map must agree with.
@@ -201,25 +205,25 @@ struct ClosuresAnywhereParams {
 
 /// Parameters of the mapper; every default works.
 struct MapperParams {
-  ScanTrackerParams tracker;
-  MountingTrialParams mounting;
-  SquareDirectionParams direction;
-  MotionUncertaintyParams motion;
-  HeadingFusionParams heading;
-  TurnCheckParams turns;
-  LoopCloserParams closing;
-  PieceJoiningParams joining;
-  RobustPoseGraphParams robust;
-  RegistrationParams registration;
-  ClosuresAnywhereParams anywhere;
-  AuditParams audit;
+  ScanTrackerParams tracker;        ///< Places scan after scan.
+  MountingTrialParams mounting;     ///< Judges where further scanners are mounted.
+  SquareDirectionParams direction;  ///< Measures a scan's heading by its walls.
+  MotionUncertaintyParams motion;   ///< How certain tracking is.
+  HeadingFusionParams heading;      ///< Fuses the headings with the tracked rotations.
+  TurnCheckParams turns;            ///< Asks matches about turns in doubt.
+  LoopCloserParams closing;         ///< Closes loops.
+  PieceJoiningParams joining;       ///< Joins pieces of track.
+  RobustPoseGraphParams robust;     ///< Decides which closures to believe.
+  RegistrationParams registration;  ///< Moves all keyframes at the end.
+  ClosuresAnywhereParams anywhere;  ///< Closes loops behind corridors.
+  AuditParams audit;                ///< Says where the map may be wrong.
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;
   /// Loops are looked for each time the track has grown by this share, and by this many keyframes.
   double closing_growth = 0.1;
-  std::size_t min_closing_growth = 64;
-  std::size_t num_threads = 1;         ///< Any number gives the same map.
-  bool leaves_out_robot_parts = true;  ///< What a scanner sees of its own robot (RobotParts).
+  std::size_t min_closing_growth = 64;  ///< See closing_growth.
+  std::size_t num_threads = 1;          ///< Any number gives the same map.
+  bool leaves_out_robot_parts = true;   ///< What a scanner sees of its own robot (RobotParts).
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -16,15 +16,16 @@ namespace setsquare {
 /// How proposals are searched: `num_rotations` of them, the best `num_coarse` refined with a few
 /// samples, the best `num_fine` of those with all.
 struct SearchParams {
-  std::size_t num_rotations = 6;
-  std::size_t num_coarse = 10;
-  std::size_t num_fine = 3;
-  int min_correlation = 8;  ///< Of a proposal's coarse samples with the grid.
+  std::size_t num_rotations = 6;  ///< Rotations tried, the likeliest first.
+  std::size_t num_coarse = 10;    ///< Proposals refined with a few samples.
+  std::size_t num_fine = 3;       ///< Of these, refined with all samples.
+  int min_correlation = 8;        ///< Of a proposal's coarse samples with the grid.
 };
 
 /// What is known of the motion before the scans are seen: poses beyond it are not considered, not
 /// as rivals either. By default nothing is known.
 struct MotionBounds {
+  /// Of the position of the current sensor in the reference's frame.
   double max_translation_m = std::numeric_limits<double>::infinity();
   double max_rotation_rad = kPi;  ///< Either way.
 
@@ -62,6 +63,7 @@ struct SweepParams {
   /// worth against a metre of wall.
   double wall_variance_m3 = 2.5e-5;
 
+  /// What the prior of the turns weighs against a metre of wall.
   [[nodiscard]] double turn_weight() const { return wall_variance_m3 / (turn_sigma * turn_sigma); }
 
   /// Throws ParameterError that names the field.
@@ -119,7 +121,7 @@ struct AnswerParams {
   double rival_contradiction = 0.05;   ///< By this much more at most: share of what can be judged,
   double rival_contradiction_m = 2.0;  ///< and length.
   double same_translation_m = 0.30;    ///< Poses nearer than both of these are one answer.
-  double same_rotation_rad = 0.10;
+  double same_rotation_rad = 0.10;     ///< See same_translation_m.
 };
 
 /// Weights of the score, from agreeing, contradicted and hidden shares of the compared wall.
@@ -130,21 +132,21 @@ struct ScoreParams {
   /// Returns where the other scan saw through cost weight * ln(1 + share / usual share): the first
   /// ones much, for true poses have next to none; more of them less and less, for people walk.
   double contradiction_weight = 0.15;
-  double usual_contradiction = 0.02;
+  double usual_contradiction = 0.02;  ///< The share that true poses usually have.
 };
 
 /// Parameters of the default matcher. Every field has a default that serves every sensor and log.
 struct MatchParams {
-  MotionBounds bounds;
-  SurfaceParams surface;
-  SampleParams samples;
-  ScoreParams score;
-  RefinementParams refinement;
-  SweepParams sweep;
-  DistinctWallParams distinct_wall;
-  AliasParams alias;
-  AnswerParams answer;
-  SearchParams quick;  ///< Rotations from the walls' directions.
+  MotionBounds bounds;               ///< What is known of the motion; nothing by default.
+  SurfaceParams surface;             ///< How returns become surfaces.
+  SampleParams samples;              ///< How many samples are drawn of them.
+  ScoreParams score;                 ///< How proposals are ranked.
+  RefinementParams refinement;       ///< How they are refined.
+  SweepParams sweep;                 ///< How turns during a sweep are estimated.
+  DistinctWallParams distinct_wall;  ///< What counts as distinct wall.
+  AliasParams alias;                 ///< What counts as an alias.
+  AnswerParams answer;               ///< When the answer stands.
+  SearchParams quick;                ///< Rotations from the walls' directions.
   /// Every rotation of the circle: where the quick search finds nothing that stands.
   SearchParams thorough{.num_rotations = 120, .num_coarse = 300, .num_fine = 20};
 

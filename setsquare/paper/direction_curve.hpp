@@ -12,10 +12,11 @@ namespace setsquare {
 
 /// Equally spaced directions: theta_j = first + j * step.
 struct DirectionGrid {
-  double first_rad = 0.0;
-  double step_rad = 0.0;
-  std::size_t num_directions = 0;
+  double first_rad = 0.0;          ///< Of direction 0.
+  double step_rad = 0.0;           ///< From one direction to the next.
+  std::size_t num_directions = 0;  ///< How many there are.
 
+  /// Of number j, counted from 0.
   [[nodiscard]] double direction_rad(std::size_t j) const {
     return first_rad + static_cast<double>(j) * step_rad;
   }
@@ -34,6 +35,7 @@ struct DirectionCurves {
   std::vector<double> neighbour_differences;    ///< A lower bound of the moment with omega^2.
   std::vector<double> squared_frequency_bound;  ///< An upper one.
 };
+/// Both bounds for every direction of the grid, from the same profiles as direction_curve().
 [[nodiscard]] DirectionCurves direction_curves(const PointSet& points,
                                                const DirectionGrid& grid,
                                                const ProfileBins& bins = {});

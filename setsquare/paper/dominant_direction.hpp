@@ -13,7 +13,7 @@ namespace setsquare {
 
 /// Parameters of Algorithm 2.
 struct DominantDirectionParams {
-  ProfileBins bins = {};
+  ProfileBins bins = {};                ///< Of the profiles; section 4.3.2.
   double step_rad = rad_from_deg(0.1);  ///< Between directions; divides half a turn.
   DirectionMoment moment = DirectionMoment::kNeighbourDifferences;  ///< Reading of eq. (7).
 

@@ -27,10 +27,13 @@ struct PaperParams {
   double min_zncc_product = 0.25;   ///< Of both axes; success lies above it.
   std::int32_t min_num_points = 2;  ///< Thinned points below which there is nothing to match.
 
+  /// The bins of both profiles.
   [[nodiscard]] ProfileBins bins() const { return {bin_width_m, max_distance_m}; }
+  /// What Algorithm 2 is run with.
   [[nodiscard]] DominantDirectionParams direction() const {
     return {bins(), direction_step_rad, moment};
   }
+  /// What Algorithm 3 is run with.
   [[nodiscard]] ShiftSearch shifts() const { return {max_shift_m, shift_step_m}; }
 
   /// Throws ParameterError where a field is outside its domain.

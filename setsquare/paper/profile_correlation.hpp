@@ -18,6 +18,7 @@ struct ShiftSearch {
 
   /// Lags run from -max_lag() to max_lag().
   [[nodiscard]] std::int64_t max_lag() const;
+  /// The shift of value `index` of correlate(), in m.
   [[nodiscard]] double shift_m(std::size_t index) const {
     return static_cast<double>(static_cast<std::int64_t>(index) - max_lag()) * step_m;
   }

@@ -29,9 +29,10 @@ struct ProfileBins {
 /// Number of points in each bin along one direction. Bin kappa holds the coordinates in
 /// (kappa * width - max_distance, (kappa + 1) * width - max_distance]: eq. (6).
 struct ProjectedProfile {
-  ProfileBins bins;
+  ProfileBins bins;                  ///< Those that `counts` belongs to.
   std::vector<std::int32_t> counts;  ///< One per bin.
 
+  /// Points within the bins' range.
   [[nodiscard]] std::int64_t mass() const {
     return std::accumulate(counts.begin(), counts.end(), std::int64_t{0});
   }

@@ -18,11 +18,11 @@ namespace setsquare {
 
 /// A thinned scan seen along its dominant direction theta (x') and along theta + 90 deg (y').
 struct ProjectedScan {
-  double theta_rad = 0.0;
-  std::vector<double> x_m;  ///< x' of every point, eq. (4) at theta.
-  std::vector<double> y_m;  ///< y' of every point, eq. (4) at theta + 90 deg.
-  ProjectedProfile profile_x;
-  ProjectedProfile profile_y;
+  double theta_rad = 0.0;      ///< The dominant direction, in rad.
+  std::vector<double> x_m;     ///< x' of every point, eq. (4) at theta.
+  std::vector<double> y_m;     ///< y' of every point, eq. (4) at theta + 90 deg.
+  ProjectedProfile profile_x;  ///< Of x', by which the profiles are correlated.
+  ProjectedProfile profile_y;  ///< Of y'.
 };
 
 /// Projects the points once for any number of matches.
@@ -44,8 +44,8 @@ struct AxisSearch {
 
 /// What Algorithm 3 saw at theta_offset = offset * 90 deg.
 struct OffsetSearch {
-  AxisSearch x;
-  AxisSearch y;
+  AxisSearch x;  ///< Along x'.
+  AxisSearch y;  ///< Along y'.
 
   /// E of Algorithm 3: the product of the two axes' largest correlations.
   [[nodiscard]] std::int64_t product() const {
@@ -58,7 +58,7 @@ struct RelativePose {
   Pose2 T_reference_current;  ///< Of the sensors.
   std::size_t offset = 0;     ///< theta_offset = offset * 90 deg.
   double zncc_x = 0.0;        ///< ZNCC of the profiles along x' at the chosen shift.
-  double zncc_y = 0.0;
+  double zncc_y = 0.0;        ///< The same along y'.
 };
 
 /// Algorithm 3's view of a match, for pictures and tests: the four offsets, in turn.

@@ -22,9 +22,9 @@ namespace setsquare {
 
 /// What decides which map a log gives.
 struct MapLogOptions {
-  LogOptions log;
-  Preset preset = Preset::kDefault;
-  bool uses_odometry = true;
+  LogOptions log;                    ///< Which part of the log is read, and what it does not state.
+  Preset preset = Preset::kDefault;  ///< Which matcher, and with it which mapper.
+  bool uses_odometry = true;         ///< Else it is read and left out.
   bool is_audited = true;       ///< Whether pairs of scans are matched against the finished map.
   std::size_t num_threads = 1;  ///< Any number gives the same map.
 };
@@ -40,12 +40,12 @@ struct MapLogWatcher {
 
 /// A log mapped.
 struct MappedLog {
-  Map map;
-  std::string name;  ///< Of the log, as run.json and messages have it.
-  std::string format;
-  std::string sensor;
+  Map map;             ///< What was found.
+  std::string name;    ///< Of the log, as run.json and messages have it.
+  std::string format;  ///< Of the log: "CARMEN log", "ROS 2 bag".
+  std::string sensor;  ///< The laser's name; as it was asked for where several were.
   std::map<std::uint32_t, std::string> scanner_names;  ///< By Scan::scanner.
-  LogProblems problems;
+  LogProblems problems;              ///< Damaged records and the reader's remarks.
   std::vector<LogFinding> findings;  ///< What is wrong with the log, problems included.
   MapLogOptions options;             ///< By which it was mapped.
 };

@@ -28,14 +28,15 @@ enum class MatchStatus {
 
 /// The best proposal that differs from the answer by more than the size of one basin.
 struct RunnerUp {
-  Pose2 T_reference_current;
-  double score = 0.0;
+  Pose2 T_reference_current;  ///< Its pose.
+  double score = 0.0;         ///< As MatchResult::score.
 };
 
 /// The answer of a match, with its evidence: NaN where the preset does not measure it. Poses are
 /// those of the sensors at the middles of their sweeps: p_reference = T_reference_current *
 /// p_current.
 struct MatchResult {
+  /// Whether, and in which way, the pose may be used.
   MatchStatus status = MatchStatus::kTooFewPoints;
   /// The best proposal whatever the status; nothing where there is none.
   std::optional<Pose2> T_reference_current = std::nullopt;
@@ -52,7 +53,7 @@ struct MatchResult {
   /// That the answer is right, within 0.2 m and 3 deg, of scans taken within 5 m of each other; NaN
   /// where the preset does not measure it.
   double probability = std::numeric_limits<double>::quiet_NaN();
-  std::optional<RunnerUp> runner_up = std::nullopt;
+  std::optional<RunnerUp> runner_up = std::nullopt;  ///< Nothing where no other pose was found.
   /// A motion in the reference's frame under which the place looks the same, a niche further: moved
   /// by it the answer is a pose that nothing contradicts either. Nothing where there is none.
   std::optional<Pose2> alias = std::nullopt;
@@ -63,9 +64,9 @@ struct MatchResult {
 
 /// Standard deviations of a pose's parts in the reference's frame.
 struct PoseSigmas {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double theta_rad = 0.0;
+  double x_m = 0.0;        ///< Of the position, along the reference's x axis.
+  double y_m = 0.0;        ///< Along its y axis.
+  double theta_rad = 0.0;  ///< Of the rotation.
 };
 
 /// The marginal standard deviations of the pose: the roots of the covariance's diagonal, where the

@@ -34,7 +34,9 @@ struct Scan {
   double scan_time_s = 0.0;       ///< From a sweep to the next; 0 where the log does not say.
   std::uint32_t scanner = 0;      ///< Which of the robot's scanners: another number for each.
 
+  /// Beams of the sweep, whatever they measured.
   [[nodiscard]] std::size_t num_beams() const { return ranges_m.size(); }
+  /// Of one beam, in the sensor frame: 0 ahead, counterclockwise.
   [[nodiscard]] double bearing_rad(std::size_t beam) const {
     return first_bearing_rad + static_cast<double>(beam) * bearing_step_rad;
   }

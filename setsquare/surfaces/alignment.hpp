@@ -19,6 +19,7 @@ struct Evidence {
   double hidden_m = 0.0;        ///< Behind the surface: the scan could not see it.
   double outside_m = 0.0;       ///< Outside the field of view, or where no beam came back.
 
+  /// Adds the other's metres.
   Evidence& operator+=(const Evidence& other);
 };
 
@@ -26,15 +27,15 @@ struct Evidence {
 /// `hessian` and `gradient` are in (x, y, theta) of T_reference_current, distances weighted by
 /// metres of wall and by Tukey's biweight of width `tolerance_m`.
 struct Alignment {
-  Evidence evidence;
+  Evidence evidence;                                   ///< At the pose.
   Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();   ///< m of wall x (1, m, m^2)
   Eigen::Vector3d gradient = Eigen::Vector3d::Zero();  ///< m of wall x m x (1, m)
 };
 
 /// What `align` needs of a scan.
 struct AlignedScan {
-  const SurfaceImage& image;
-  const SurfaceSamples& samples;
+  const SurfaceImage& image;      ///< Its surfaces.
+  const SurfaceSamples& samples;  ///< Its samples: coarse, fine or dense.
 };
 
 /// Compares both ways: the current scan's samples with the reference's surfaces and the reference's

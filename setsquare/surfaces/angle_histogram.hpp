@@ -12,6 +12,7 @@ namespace setsquare {
 /// Length of wall by the direction that it faces: bins of two degrees of the walls' normals. Walls
 /// face the sensor, so opposite walls fall into opposite bins and a half turn shows.
 struct AngleHistogram {
+  /// Of two degrees each.
   static constexpr int kNumBins = 180;
   /// Direction of a bin's middle, in rad, in [-pi, pi).
   [[nodiscard]] static constexpr double direction_rad(int bin) {
@@ -23,6 +24,7 @@ struct AngleHistogram {
   std::array<float, kNumBins> length_m{};  ///< Smoothed over a few bins.
 };
 
+/// The histogram of a scan's walls; points without a line do not count.
 [[nodiscard]] AngleHistogram angle_histogram(const SurfacePoints& points);
 
 /// A rotation that lays the current scan's walls on the reference's.

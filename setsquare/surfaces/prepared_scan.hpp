@@ -18,12 +18,14 @@ namespace setsquare {
 /// A scan made into surfaces. This is the costly part of preparing a scan; it is done once, and
 /// tracking, matching and mapping share it.
 struct ScanSurfaces {
-  SurfacePoints points;
-  SurfaceImage image;
+  SurfacePoints points;           ///< The returns with their lines.
+  SurfaceImage image;             ///< Made of the points.
   double sweep_middle_rad = 0.0;  ///< Bearing of the sweep's middle.
 };
+/// Shared, never changed.
 using ScanSurfacesPtr = std::shared_ptr<const ScanSurfaces>;
 
+/// The surfaces of a scan. Throws ParameterError where its geometry is not valid (Scan::validate).
 [[nodiscard]] ScanSurfacesPtr scan_surfaces(const Scan& scan,
                                             const SurfaceParams& params = {},
                                             const SurfaceImage::Params& image_params = {});
@@ -34,8 +36,8 @@ using ScanSurfacesPtr = std::shared_ptr<const ScanSurfaces>;
 
 /// A scan whose samples were measured one after the other.
 struct SweptScan {
-  const SurfaceImage& image;
-  const SurfaceSamples& samples;
+  const SurfaceImage& image;                  ///< Its surfaces.
+  const SurfaceSamples& samples;              ///< What was measured one after the other.
   const std::vector<float>& from_middle_rad;  ///< Bearing from middle_rad, one per sample.
   double middle_rad = 0.0;  ///< Bearing of the sweep's middle, when the scan's pose is meant.
 };
@@ -48,18 +50,24 @@ struct SweptScan {
 
 /// What the default matcher needs of a scan: made once, matched any number of times, never changed.
 struct PreparedScan {
-  ScanSurfacesPtr surfaces;
-  SurfaceSamples coarse;  ///< A few dozen samples: they decide on proposals.
-  SurfaceSamples fine;    ///< A few hundred, by weights that favour rare directions: the verdict.
-  SurfaceSamples dense;   ///< As many as help, by length of wall: the pose's last digits.
+  ScanSurfacesPtr surfaces;  ///< Never null.
+  SurfaceSamples coarse;     ///< A few dozen samples: they decide on proposals.
+  SurfaceSamples fine;   ///< A few hundred, by weights that favour rare directions: the verdict.
+  SurfaceSamples dense;  ///< As many as help, by length of wall: the pose's last digits.
   std::vector<float> dense_from_middle_rad;  ///< Bearings of `dense` from the sweep's middle.
-  AngleHistogram histogram;
+  AngleHistogram histogram;                  ///< Of the surfaces' points.
 
+  /// The surfaces' points.
   [[nodiscard]] const SurfacePoints& points() const { return surfaces->points; }
+  /// The surfaces' image.
   [[nodiscard]] const SurfaceImage& image() const { return surfaces->image; }
+  /// What align() takes for a quick look.
   [[nodiscard]] AlignedScan coarse_alignment() const { return {image(), coarse}; }
+  /// What it takes for the verdict.
   [[nodiscard]] AlignedScan fine_alignment() const { return {image(), fine}; }
+  /// What it takes for the last digits.
   [[nodiscard]] AlignedScan dense_alignment() const { return {image(), dense}; }
+  /// The dense samples with the time at which each was measured.
   [[nodiscard]] SweptScan swept() const {
     return {image(), dense, dense_from_middle_rad, surfaces->sweep_middle_rad};
   }

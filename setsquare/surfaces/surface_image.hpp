@@ -17,7 +17,7 @@ namespace setsquare {
 /// normal . q = offset, and how far the scan saw through.
 struct SurfaceSector {
   float normal_x = 0.0F;  ///< Unit normal, facing the sensor; zero where no surface was seen.
-  float normal_y = 0.0F;
+  float normal_y = 0.0F;  ///< See normal_x.
   float offset_m = 0.0F;  ///< kNoSurface where none was seen.
   float free_square_m2 =
       0.0F;  ///< Nothing stands nearer than its root; zero where nothing is known.
@@ -32,10 +32,13 @@ class SurfaceImage {
   /// Offset of a sector without a surface: every point lies far behind it.
   static constexpr float kNoSurface_m = 1e9F;
 
-  using Params = SurfaceImageParams;
+  using Params = SurfaceImageParams;  ///< Of the image: see surface_params.hpp.
 
+  /// Of no scan: to be assigned to.
   SurfaceImage() = default;
+  /// Of a scan and the points that were made of it.
   SurfaceImage(const Scan& scan, const SurfacePoints& points, const Params& params);
+  /// The same with the default parameters.
   SurfaceImage(const Scan& scan, const SurfacePoints& points)
       : SurfaceImage(scan, points, Params{}) {}
 
@@ -48,6 +51,7 @@ class SurfaceImage {
     return sector.normal_x * x_m + sector.normal_y * y_m - sector.offset_m;
   }
 
+  /// The index of at() in sectors().
   [[nodiscard]] std::int32_t sector_index(float x_m, float y_m) const {
     return static_cast<std::int32_t>((diamond_angle(x_m, y_m) + 1.0F) * sectors_per_unit_) & mask_;
   }
@@ -57,6 +61,7 @@ class SurfaceImage {
     const Floats angle = select(x_m >= Floats{}, quotient, 2.0F - quotient);
     return __builtin_convertvector((angle + 1.0F) * sectors_per_unit_, Ints) & mask_;
   }
+  /// All of them, from -90 deg on.
   [[nodiscard]] const std::vector<SurfaceSector>& sectors() const { return sectors_; }
 
   /// Monotone in the bearing from -90 deg (-1) through 0, 90 (1) and 180 deg (2) up to 270 deg (3).

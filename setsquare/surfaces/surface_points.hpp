@@ -15,16 +15,17 @@ namespace setsquare {
 /// arrays in the sensor frame, float because the kernels that read them are short of width, not of
 /// digits (10 m have 1 um).
 struct SurfacePoints {
-  std::vector<float> x_m;
-  std::vector<float> y_m;
+  std::vector<float> x_m;  ///< Forward of the sensor.
+  std::vector<float> y_m;  ///< To its left.
   std::vector<float>
       normal_x;  ///< Unit normal of the wall, facing the sensor; zero where no line fits.
-  std::vector<float> normal_y;
-  std::vector<float> weight_m;  ///< Length of wall that the return stands for.
-  std::vector<float> range_m;
-  std::vector<std::int32_t> beam;
+  std::vector<float> normal_y;       ///< See normal_x.
+  std::vector<float> weight_m;       ///< Length of wall that the return stands for.
+  std::vector<float> range_m;        ///< From the sensor.
+  std::vector<std::int32_t> beam;    ///< That each return came by.
   std::vector<std::uint8_t> joined;  ///< Whether the surface continues to the next return.
 
+  /// The number of returns.
   [[nodiscard]] std::size_t size() const { return x_m.size(); }
 };
 

@@ -19,6 +19,7 @@ struct AlignmentScale {
   void validate(const std::string& owner) const;
 };
 
+/// Parameters of ScanGap: which pauses of a log are gaps.
 struct ScanGapParams {
   double min_gap_s = 3.0;        ///< A pause between two scans as long as this, and ...
   double min_num_periods = 5.0;  ///< ... as this many usual ones, is a gap in the log ...
@@ -46,7 +47,7 @@ struct GyroParams {
 
 /// Parameters of OdometryTrial.
 struct OdometryTrialParams {
-  bool is_on = true;
+  bool is_on = true;                        ///< Else odometry is believed as it comes.
   double stretch_m = 0.3;                   ///< A stretch is compared once it is as long as this,
   double stretch_rad = rad_from_deg(10.0);  ///< or turns by this.
   double min_way_m = 0.15;                  ///< Shorter ways ...
@@ -90,13 +91,13 @@ struct OpenTurnParams {
 struct SubmapRefinementParams {
   AlignmentScale first_step{.gate_m = 0.30, .scale_m = 0.10};   ///< Catches.
   AlignmentScale later_steps{.gate_m = 0.15, .scale_m = 0.05};  ///< Settle.
-  int max_iterations = 10;
-  double converged_m = 1e-3;    ///< A step smaller than this ...
+  int max_iterations = 10;                                      ///< Gauss-Newton steps at most.
+  double converged_m = 1e-3;                                    ///< A step smaller than this ...
   double converged_rad = 5e-4;  ///< ... and this ends the iteration.
-  double max_step_m = 0.3;
+  double max_step_m = 0.3;      ///< A longer step is cut to this.
   /// Directions bound by fewer effective points than this are topped up by the prediction.
   double min_effective_points = 3.0;
-  OpenTurnParams turn;
+  OpenTurnParams turn;         ///< For halls whose walls face one point.
   double chance_points = 1.0;  ///< This many or fewer are chance, as in a bare corridor.
 
   /// How far the walls bind a direction: 0 by chance alone, 1 by min_effective_points or more.
@@ -110,9 +111,9 @@ struct SubmapRefinementParams {
 struct CorridorSearchParams {
   double below_effective_points = 4.0;  ///< Scans bound by fewer points are searched.
   double half_range_m = 0.6;            ///< About the prediction.
-  double step_m = 0.05;
-  double scale_m = 0.06;      ///< Closeness of points to surfaces.
-  double motion_cost = 0.02;  ///< Closeness given up for one sigma off the prediction.
+  double step_m = 0.05;                 ///< From one place that is tried to the next.
+  double scale_m = 0.06;                ///< Closeness of points to surfaces.
+  double motion_cost = 0.02;            ///< Closeness given up for one sigma off the prediction.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -149,12 +150,12 @@ struct LongStepParams {
 
 /// Parameters of find_sudden_turn.
 struct SuddenTurnParams {
-  double below_score = 0.6;  ///< Swept scans that score less as expected are searched, ...
-  double min_gain = 0.1;     ///< ... and what is found must beat the score by this much.
-  double fastest_rad_per_s = 5.5;
-  double step_rad = 0.1;          ///< Of the turns that are tried.
-  double scale_m = 0.15;          ///< Closeness of points to surfaces.
-  std::size_t max_samples = 120;  ///< Of the scan.
+  double below_score = 0.6;        ///< Swept scans that score less as expected are searched, ...
+  double min_gain = 0.1;           ///< ... and what is found must beat the score by this much.
+  double fastest_rad_per_s = 5.5;  ///< Turns that are tried; no robot turns faster.
+  double step_rad = 0.1;           ///< Of the turns that are tried.
+  double scale_m = 0.15;           ///< Closeness of points to surfaces.
+  std::size_t max_samples = 120;   ///< Of the scan.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -197,8 +198,8 @@ struct DeskewParams {
   double motion_sigma_rad_per_s = 2.0;  ///< else: robots begin and end turns at once.
   /// Whether scans truly sweep as they say; else a sweep is expected to show no turn (SweepTrial).
   bool is_sweep_known = true;
-  SuddenTurnParams sudden_turn;
-  SweepTrialParams trial;
+  SuddenTurnParams sudden_turn;  ///< For turns that no prediction foresaw.
+  SweepTrialParams trial;        ///< Whether scans sweep as they say.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -208,20 +209,23 @@ struct DeskewParams {
 struct ScanTrackerParams {
   std::size_t num_keyframes = 8;     ///< In the submap, the latest of each scanner.
   double keyframe_distance_m = 0.4;  ///< The paper's spacing (section 5.1).
+  /// Turned by more than this since the last keyframe, a scan is one, too.
   double keyframe_turn_rad = rad_from_deg(10.0);
   std::size_t num_scans_averaged = 7;  ///< For the last motion.
-  SurfaceParams surfaces;
-  SurfaceImageParams image;
-  SubmapRefinementParams refinement;
-  CorridorSearchParams corridor;
-  RecoveryParams recovery;
-  LongStepParams long_steps;
-  PlaceVoteParams votes;
-  ScanGapParams gap;
-  GyroParams gyro;
-  OdometryTrialParams odometry;
-  DeskewParams deskew;
+  SurfaceParams surfaces;              ///< How returns become surfaces.
+  SurfaceImageParams image;            ///< How surfaces become an image.
+  SubmapRefinementParams refinement;   ///< Gauss-Newton against the submap.
+  CorridorSearchParams corridor;       ///< Along corridors.
+  RecoveryParams recovery;             ///< Finds lost poses again.
+  LongStepParams long_steps;           ///< For logs of key frames.
+  PlaceVoteParams votes;               ///< For places that repeat.
+  ScanGapParams gap;                   ///< For logs with pauses.
+  GyroParams gyro;                     ///< Judges a gyro.
+  OdometryTrialParams odometry;        ///< Judges the odometry.
+  DeskewParams deskew;                 ///< Takes the skew out of scans.
+  /// Where odometry predicts.
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
+  /// Where the mean of the last motions does.
   PredictionTrust trust_in_last_motion{.weight = 2.0, .sigma_m = 0.15, .min_gain = 0.004};
   double lost_below_score = 0.2;  ///< A scan that scores less and is not found again is lost.
   /// After this many lost scans in a row the submap restarts at the predicted pose.
@@ -257,14 +261,17 @@ struct MotionUncertaintyParams {
   double step_sigma_rad = rad_from_deg(0.06);  ///< Of every step ...
   double sigma_per_turn = 0.005;               ///< ... and this share of the turn.
   double scan_sigma_rad = rad_from_deg(0.2);   ///< Of one scan's heading among those about it.
-  double lost_sigma_rad = 0.05;
+  double lost_sigma_rad = 0.05;                ///< Of each lost scan in between.
+  /// Of each scan found again far off.
   double recovered_sigma_rad = rad_from_deg(1.5);
-  double restart_sigma_rad = 0.5;
+  double restart_sigma_rad = 0.5;  ///< Of each new start of the submap.
 
   // The same where odometry bridges the gap.
-  double lost_sigma_m_by_odometry = 0.03;
-  double restart_sigma_m_by_odometry = 0.3;
+  double lost_sigma_m_by_odometry = 0.03;    ///< As lost_sigma_m.
+  double restart_sigma_m_by_odometry = 0.3;  ///< As restart_sigma_m.
+  /// As lost_sigma_rad.
   double lost_sigma_rad_by_odometry = rad_from_deg(0.5);
+  /// As restart_sigma_rad.
   double restart_sigma_rad_by_odometry = rad_from_deg(3.0);
 
   /// Throws ParameterError that names the field.

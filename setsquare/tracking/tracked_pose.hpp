@@ -12,19 +12,20 @@ namespace setsquare {
 
 /// Where a scan of a scanner whose mounting is not believed would stand, by what it sees.
 struct MountingSighting {
-  Pose2 T_odom_sensor;
+  Pose2 T_odom_sensor;   ///< By what it sees, in the odom frame.
   bool is_bound = true;  ///< Whether the walls bind its position in every direction.
 };
 
 /// A scan placed by tracking, with its evidence. A separate header, so that users of Mapper need
 /// not include the rest of the tracker.
 struct TrackedPose {
-  TrackStatus status = TrackStatus::kTracked;
+  TrackStatus status = TrackStatus::kTracked;  ///< How it was placed.
+  /// Of its sensor at the middle of its sweep, in the odom frame: smooth, drifts.
   Pose2 T_odom_sensor;
-  Pose2 T_odom_body = {};  ///< Of the robot, as tracking follows it: of the first scan's scanner.
-  bool is_keyframe = false;
-  bool is_mapped = true;      ///< Else the pose is the expected one (MappedScanner).
-  bool is_restart = false;    ///< Lost for so long that the submap restarts with this scan.
+  Pose2 T_odom_body = {};    ///< Of the robot, as tracking follows it: of the first scan's scanner.
+  bool is_keyframe = false;  ///< Whether it is kept to match with.
+  bool is_mapped = true;     ///< Else the pose is the expected one (MappedScanner).
+  bool is_restart = false;   ///< Lost for so long that the submap restarts with this scan.
   bool is_long_step = false;  ///< One of many: a log of key frames, a low rate (LongSteps).
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -211,6 +215,117 @@ TEST(CommandEvaluateTrajectory, AbsoluteAndRelativeErrors) {
   EXPECT_NEAR(over_time["translation_m"]["mean"].get<double>(), 0.1, 1e-5);
   EXPECT_THAT(run_setsquare("evaluate ate " + files).out, HasSubstr("rotation, deg"));
   EXPECT_THAT(run_setsquare("evaluate rpe --delta-poses 3 " + files).out, HasSubstr("397 spans"));
+}
+
+/// A judged trajectory, whose second drive is 0.1 m off, and its truth.
+class CommandEvaluateFiles : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    Trajectory judged = two_drives();
+    for (StampedPose& stamped : judged) {
+      if (stamped.stamp.seconds() >= 100.0) stamped.pose.x_m += 0.1;
+      stamped.pose = Pose2{-4, 2, 1.0} * stamped.pose;
+    }
+    judged_ = folder_.write("judged.tum", tum_from_trajectory(judged));
+    truth_ = folder_.write("truth.tum", tum_from_trajectory(two_drives()));
+    relations_ = folder_.write("true.relations", relations_of(two_drives()));
+  }
+
+  [[nodiscard]] std::string path(const std::string& name) const {
+    return (folder_.path() / name).string();
+  }
+
+  [[nodiscard]] std::string bytes_of(const std::string& name) const {
+    std::ifstream file(path(name), std::ios::binary);
+    EXPECT_TRUE(file) << name;
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  [[nodiscard]] CommandOutcome evaluate(const std::string& arguments) const {
+    CommandOutcome outcome = run_setsquare("evaluate " + arguments);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return outcome;
+  }
+
+  TemporaryFolder folder_;
+  std::string judged_;
+  std::string truth_;
+  std::string relations_;
+};
+
+std::size_t num_lines(const std::string& text) {
+  return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST_F(CommandEvaluateFiles, TheAlignedTrajectoriesHaveTheErrorThatWasPrinted) {
+  const Json json =
+      Json::parse(evaluate("ate --json " + judged_ + " " + truth_ + " -o " + path("results")).out);
+  EXPECT_EQ(Json::parse(bytes_of("results/ate.json")), json);
+  const Trajectory aligned = read_trajectory_tum(path("results/aligned.tum"));
+  const Trajectory reference = read_trajectory_tum(path("results/reference.tum"));
+  ASSERT_EQ(aligned.size(), 400U);
+  ASSERT_EQ(reference.size(), 400U);
+  std::istringstream aligned_rows(bytes_of("results/aligned.kitti"));
+  std::istringstream reference_rows(bytes_of("results/reference.kitti"));
+  double by_tum = 0.0;
+  double by_kitti = 0.0;
+  for (std::size_t i = 0; i < aligned.size(); ++i) {
+    ASSERT_EQ(aligned[i].stamp, reference[i].stamp);
+    by_tum += (aligned[i].pose.translation() - reference[i].pose.translation()).squaredNorm();
+    std::array<double, 12> a{};
+    std::array<double, 12> b{};
+    for (std::size_t k = 0; k < 12; ++k)
+      ASSERT_TRUE(aligned_rows >> a[k] && reference_rows >> b[k]);
+    by_kitti += std::pow(a[3] - b[3], 2) + std::pow(a[7] - b[7], 2);
+  }
+  const auto rmse = json["translation_m"]["rmse"].get<double>();
+  EXPECT_NEAR(std::sqrt(by_tum / 400.0), rmse, 1e-5);
+  EXPECT_NEAR(std::sqrt(by_kitti / 400.0), rmse, 1e-5);
+  EXPECT_EQ(num_lines(bytes_of("results/ate_errors.tsv")), 401U);
+  EXPECT_EQ(num_lines(bytes_of("results/ate.tsv")), 3U);
+  EXPECT_THAT(bytes_of("results/ate_errors.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(bytes_of("results/ate_trajectories.svg"), HasSubstr("</svg>"));
+}
+
+TEST_F(CommandEvaluateFiles, BoundsLieAboutTheFiguresAndAreAlwaysTheSame) {
+  const std::string command = "ate " + judged_ + " " + truth_ + " --align none --bootstrap 100";
+  const Json error = Json::parse(evaluate(command + " --json").out)["translation_m"];
+  EXPECT_LT(error["bounds"]["mean"][0], error["mean"]);
+  EXPECT_GT(error["bounds"]["mean"][1], error["mean"]);
+  EXPECT_GT(error["bounds"]["block_length"], 1);
+  const std::string table = evaluate(command).out;
+  EXPECT_THAT(table, HasSubstr("from 5 %"));
+  EXPECT_THAT(table, HasSubstr("block bootstrap"));
+  EXPECT_EQ(table, evaluate(command).out);
+  EXPECT_THAT(evaluate("ate " + judged_ + " " + truth_).out, Not(HasSubstr("from 5 %")));
+}
+
+TEST_F(CommandEvaluateFiles, SpansAndRelationsAreWrittenBesideThem) {
+  const std::string into = " -o " + path("results");
+  EXPECT_THAT(evaluate("ate " + judged_ + " " + truth_ + into).out, HasSubstr("aligned.kitti"));
+  EXPECT_THAT(evaluate("rpe " + judged_ + " " + truth_ + into).out, HasSubstr("rpe_errors.svg"));
+  EXPECT_EQ(num_lines(bytes_of("results/rpe_errors.tsv")), 381U);
+  const CommandOutcome relations = evaluate("relations " + judged_ + " " + relations_ + into);
+  EXPECT_THAT(relations.out, HasSubstr("means, from 5 to 95 %"));
+  const Json json = Json::parse(bytes_of("results/relations.json"));
+  const Json& error = json["from_60_s"]["translation_m"];
+  EXPECT_LE(error["mean_bound"][0], error["mean"]);
+  EXPECT_GE(error["mean_bound"][1], error["mean"]);
+  EXPECT_EQ(num_lines(bytes_of("results/relations.tsv")), 4U);
+  EXPECT_EQ(num_lines(bytes_of("results/relations_errors.tsv")), 1U + 39U * 3U);
+  EXPECT_EQ(num_lines(bytes_of("results/ate_errors.tsv")), 401U) << "the first ones stay";
+}
+
+TEST_F(CommandEvaluateFiles, NothingIsWrittenOntoAnInput) {
+  static_cast<void>(evaluate("ate " + judged_ + " " + truth_ + " -o " + path("results")));
+  const std::string before = bytes_of("results/aligned.tum");
+  const CommandOutcome outcome = run_setsquare("evaluate ate " + path("results/aligned.tum") + " " +
+                                               truth_ + " -o " + path("results"));
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("aligned.tum"));
+  EXPECT_EQ(bytes_of("results/aligned.tum"), before);
+  EXPECT_EQ(run_setsquare("evaluate ate " + judged_ + " " + truth_ + " --bootstrap 3").exit_code,
+            2);
 }
 
 TEST(CommandEvaluateTrajectory, WhatCannotBeComparedIsRefusedInOneLine) {

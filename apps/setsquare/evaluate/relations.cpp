@@ -9,13 +9,18 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <ostream>
 #include <string>
+#include <vector>
 
 #include "apps/setsquare/evaluate/evaluate.hpp"
+#include "apps/setsquare/evaluate/results.hpp"
+#include "apps/setsquare/evaluate/statistics.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/eval/relation_error.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
+#include "setsquare/report/error_plots.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -24,10 +29,14 @@ struct EvaluateRelationsOptions {
   std::string trajectory_path;
   std::string relations_path;
   bool is_json = false;
+  ResultOptions results;
 };
 
 nlohmann::ordered_json json_from_relations(const MeanAndDeviation& statistic, double unit) {
-  return {{"mean", unit * statistic.mean}, {"deviation", unit * statistic.deviation}};
+  nlohmann::ordered_json json = {{"mean", unit * statistic.mean},
+                                 {"deviation", unit * statistic.deviation}};
+  if (statistic.mean_bound) json["mean_bound"] = json_of_bound(*statistic.mean_bound, unit);
+  return json;
 }
 
 constexpr double kDegPerRad = deg_from_rad(1.0);
@@ -47,12 +56,52 @@ nlohmann::ordered_json json_from_relations(const RelationErrors& errors) {
   return json;
 }
 
-void print_json(const RelationErrorReport& report) {
+std::string json_text(const RelationErrorReport& report) {
   const nlohmann::ordered_json json = {{"all", json_from_relations(report.all)},
                                        {"under_60_s", json_from_relations(report.under_60_s)},
                                        {"from_60_s", json_from_relations(report.from_60_s)},
                                        {"num_missing", report.num_missing}};
-  std::cout << json.dump(2) << "\n";
+  return json.dump(2) + "\n";
+}
+
+std::string tsv_cells(const MeanAndDeviation& statistic, double unit) {
+  const std::string bound = statistic.mean_bound ? fmt::format("{:.6f}\t{:.6f}",
+                                                               unit * statistic.mean_bound->low,
+                                                               unit * statistic.mean_bound->high)
+                                                 : "\t";
+  return fmt::format(
+      "\t{:.6f}\t{}\t{:.6f}", unit * statistic.mean, bound, unit * statistic.deviation);
+}
+
+std::string tsv_row_of_relations(const char* name, const RelationErrors& errors) {
+  return fmt::format("{}\t{}", name, errors.num_relations) + tsv_cells(errors.translation_m, 1.0) +
+         tsv_cells(errors.squared_translation_m2, 1.0) +
+         tsv_cells(errors.rotation_rad, kDegPerRad) +
+         tsv_cells(errors.squared_rotation_rad2, kDegPerRad * kDegPerRad) + "\n";
+}
+
+/// The table for papers: bounds in columns of their own.
+std::string tsv_of_relations(const RelationErrorReport& report) {
+  std::string text = "relations\tnumber";
+  for (const char* error :
+       {"translation_m", "squared_translation_m2", "rotation_deg", "squared_rotation_deg2"}) {
+    text += fmt::format("\t{0}\t{0}_5\t{0}_95\t{0}_deviation", error);
+  }
+  return text + "\n" + tsv_row_of_relations("all", report.all) +
+         tsv_row_of_relations("under_60_s", report.under_60_s) +
+         tsv_row_of_relations("from_60_s", report.from_60_s);
+}
+
+void print_bounds(const char* name, const RelationErrors& errors) {
+  const auto& translation_m = errors.translation_m.mean_bound;
+  const auto& rotation_rad = errors.rotation_rad.mean_bound;
+  if (errors.num_relations == 0 || !translation_m || !rotation_rad) return;
+  std::cout << fmt::format("{:<16} translation {:.4f} to {:.4f} m, rotation {:.3f} to {:.3f} deg\n",
+                           name,
+                           translation_m->low,
+                           translation_m->high,
+                           deg_from_rad(rotation_rad->low),
+                           deg_from_rad(rotation_rad->high));
 }
 
 void print_row(const char* name, const RelationErrors& errors) {
@@ -79,6 +128,12 @@ void print_table(const RelationErrorReport& report) {
   print_row("all", report.all);
   print_row("under 60 s apart", report.under_60_s);
   print_row("60 s and more", report.from_60_s);
+  if (report.all.translation_m.mean_bound) {
+    std::cout << "means, from 5 to 95 % by a block bootstrap:\n";
+    print_bounds("all", report.all);
+    print_bounds("under 60 s apart", report.under_60_s);
+    print_bounds("60 s and more", report.from_60_s);
+  }
   if (report.num_missing > 0) {
     std::cout << report.num_missing
               << " relations are left out: the trajectory has no pose at one of their stamps\n";
@@ -88,17 +143,28 @@ void print_table(const RelationErrorReport& report) {
 void evaluate_relations(const EvaluateRelationsOptions& options) {
   const Trajectory trajectory = read_trajectory_tum(options.trajectory_path);
   const std::vector<Relation> relations = read_relations(options.relations_path);
-  const RelationErrorReport report = relation_error(trajectory, relations);
+  const RelationErrorReport report =
+      relation_error(trajectory, relations, options.results.bootstrap());
   if (report.all.num_relations == 0) {
     throw FormatError(options.relations_path,
                       "",
                       "no relation has both its stamps in " + options.trajectory_path);
   }
   if (options.is_json) {
-    print_json(report);
+    std::cout << json_text(report);
   } else {
     print_table(report);
   }
+  if (options.results.directory.empty()) return;
+  const ErrorSeries errors = relation_errors(trajectory, relations).errors;
+  write_results(options.results,
+                {{"relations.tsv", tsv_of_relations(report)},
+                 {"relations_errors.tsv", tsv_of(errors)},
+                 {"relations_errors.svg",
+                  error_plot_svg({errors.stamps, errors.translation_m, errors.rotation_rad})},
+                 {"relations.json", json_text(report)}},
+                {options.trajectory_path, options.relations_path},
+                options.is_json ? nullptr : &std::cout);
 }
 
 }  // namespace
@@ -114,9 +180,12 @@ void add_evaluate_relations(CLI::App& evaluate) {
       ->type_name("")
       ->required();
   relations->add_flag("--json", options->is_json, "Print JSON");
+  add_result_options(*relations, options->results);
   relations->footer(
       "Errors in m and deg, mean and standard deviation, apart for relations within a minute and\n"
-      "over more. \"-\" where no relation is of that kind.\n"
+      "over more. \"-\" where no relation is of that kind. -o writes relations.json, relations.tsv "
+      "(the\n"
+      "table with its bounds), relations_errors.tsv and relations_errors.svg.\n"
       "Examples:\n"
       "  setsquare evaluate relations out/trajectory.tum intel.relations\n"
       "  setsquare evaluate relations out/trajectory.tum intel.relations --json");

@@ -17,18 +17,21 @@ namespace setsquare {
 /// A record that could not be read and was skipped.
 struct LogProblem {
   std::string location;  ///< "line 12" or "offset 3456".
-  std::string reason;
+  std::string reason;    ///< What is wrong with it, in lower-case words.
 };
 
 /// What is wrong with a log, as far as it has been read.
 struct LogProblems {
+  /// Damaged records that are kept with their places.
   static constexpr std::size_t kMaxKept = 20;
 
   std::uint64_t num_damaged = 0;     ///< Records skipped, all of them.
   std::vector<LogProblem> first;     ///< The first kMaxKept of them.
   std::vector<std::string> remarks;  ///< What concerns the whole log, one sentence each.
 
+  /// Whether nothing was wrong.
   [[nodiscard]] bool empty() const { return num_damaged == 0 && remarks.empty(); }
+  /// Counts a damaged record, and keeps it where it is one of the first.
   void add(std::string location, std::string reason) {
     ++num_damaged;
     if (first.size() < kMaxKept) first.push_back({std::move(location), std::move(reason)});
@@ -39,6 +42,7 @@ struct LogProblems {
 /// the first at line 12: ...". Empty where there is none.
 [[nodiscard]] std::string summary(const LogProblems& problems);
 
+/// What a record of a log holds.
 enum class RecordKind {
   kScan,      ///< One sweep of one laser.
   kOdometry,  ///< A robot pose by odometry alone, without a scan.
@@ -48,7 +52,7 @@ enum class RecordKind {
 
 /// One record of a log, whatever the log's format. Fields that a kind does not use are empty.
 struct LogRecord {
-  RecordKind kind = RecordKind::kScan;
+  RecordKind kind = RecordKind::kScan;  ///< Which of the fields below are used.
   std::string sensor;  ///< Name in the log: "FLASER", "ROBOTLASER1", a sensor label, "ODOM".
   Timestamp stamp;     ///< Sensor time; equals scan.stamp for a scan.
   Scan scan;  ///< kScan: ranges in m, mounting included; Scan::scanner is another for each sensor.
@@ -63,66 +67,69 @@ struct LogRecord {
 
 /// A topic of a recording of messages (a bag).
 struct RecordingTopic {
-  std::string name;
-  std::string type;  ///< "sensor_msgs/LaserScan".
-  std::uint64_t num_messages = 0;
-  bool is_read = false;  ///< Whether it is one of those that are made into records.
+  std::string name;                ///< With its slash: "/scan".
+  std::string type;                ///< "sensor_msgs/LaserScan".
+  std::uint64_t num_messages = 0;  ///< In the whole recording.
+  bool is_read = false;            ///< Whether it is one of those that are made into records.
 };
 
 /// Where a frame stands in its parent: the last transform that the recording has of it.
 struct RecordingFrame {
-  std::string name;
-  std::string parent;
-  bool is_static = false;
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double z_m = 0.0;
-  double roll_rad = 0.0;
-  double pitch_rad = 0.0;
-  double yaw_rad = 0.0;
+  std::string name;        ///< As the recording has it: "laser".
+  std::string parent;      ///< The frame in which it stands.
+  bool is_static = false;  ///< Whether it came by tf_static: it never moves.
+  double x_m = 0.0;        ///< Of its origin in the parent.
+  double y_m = 0.0;        ///< The same.
+  double z_m = 0.0;        ///< The same; up.
+  double roll_rad = 0.0;   ///< About the parent's x axis, applied first.
+  double pitch_rad = 0.0;  ///< About its y axis, applied second.
+  double yaw_rad = 0.0;    ///< About its z axis, applied last.
 };
 
 /// What a recording of messages holds, as far as it has been read.
 struct RecordingOverview {
-  std::vector<RecordingTopic> topics;
-  std::vector<RecordingFrame> frames;
-  Timestamp first;         ///< When its first message was recorded.
-  Timestamp last;          ///< When its last one was.
+  std::vector<RecordingTopic> topics;  ///< All of them, read or not.
+  std::vector<RecordingFrame> frames;  ///< All that tf names.
+  Timestamp first;                     ///< When its first message was recorded.
+  Timestamp last;                      ///< When its last one was.
   std::string odometry;    ///< The topic whose odometry is used; empty where there is none.
   std::string base_frame;  ///< The robot's frame.
 
+  /// Whether there is nothing: the log is none of messages.
   [[nodiscard]] bool empty() const { return topics.empty(); }
 };
 
 /// Which part of a log to read. Times below 1e8 s count from the first scan, others are stamps.
 struct LogWindow {
-  std::optional<double> from_s;
-  std::optional<double> to_s;
+  std::optional<double> from_s;       ///< Earlier scans are left out; nothing: from the first.
+  std::optional<double> to_s;         ///< Later scans are left out; nothing: to the last.
   std::optional<double> max_rate_hz;  ///< Scans per second of each laser; others are left out.
 
+  /// Whether all of the log is read.
   [[nodiscard]] bool is_open() const { return !from_s && !to_s && !max_rate_hz; }
 };
 
 /// Which points of a 3-D scanner's clouds make a scan. By default all of a flat cloud, else those
 /// within 0.3 m of the sensor's height.
 struct CloudSlice {
-  std::optional<int> ring;      ///< Those of one beam of the scanner.
-  std::optional<double> low_m;  ///< Those between two heights above the robot's frame, both given.
-  std::optional<double> high_m;
+  std::optional<int> ring;       ///< Those of one beam of the scanner.
+  std::optional<double> low_m;   ///< Those between two heights above the robot's frame, both given.
+  std::optional<double> high_m;  ///< See low_m.
 };
 
 /// What rows of angles and distances mean, as hobby scanners print them: such a text states
 /// nothing.
 struct AngleDistanceOptions {
+  /// What a line of the text holds.
   enum class Layout {
     kPairs,        ///< A line is one beam: angle, distance and perhaps a quality.
     kRevolutions,  ///< A line is one revolution: angle, distance, angle, distance ...
   };
-  Layout layout = Layout::kPairs;
-  bool is_in_degrees = true;    ///< Angles; else rad.
-  bool is_clockwise = false;    ///< Angles count clockwise, seen from above.
-  double range_unit_m = 0.001;  ///< Of the distances.
-  double rate_hz = 10.0;        ///< Revolutions per second: revolution k has the stamp k / rate.
+  Layout layout = Layout::kPairs;  ///< By default a beam a line.
+  bool is_in_degrees = true;       ///< Angles; else rad.
+  bool is_clockwise = false;       ///< Angles count clockwise, seen from above.
+  double range_unit_m = 0.001;     ///< Of the distances.
+  double rate_hz = 10.0;           ///< Revolutions per second: revolution k has the stamp k / rate.
 };
 
 /// What to read of a log, and what the log itself does not state.
@@ -141,12 +148,13 @@ struct LogOptions {
   /// (180, 360) and field of view / (n - 1) for an odd one (181, 361). Where only the step is
   /// given, the field of view is step * (n - 1).
   std::optional<double> field_of_view_rad;
+  /// From a beam to the next, instead of the field of view or together with it.
   std::optional<double> bearing_step_rad;
   /// Ranges at or above it are no-returns. By default what the log states, else 50 m (the lowest
   /// code that logs of SICK scanners use for "nothing seen").
   std::optional<double> max_range_m;
-  LogWindow window;
-  CloudSlice slice;
+  LogWindow window;  ///< By default all of it.
+  CloudSlice slice;  ///< Of 3-D scanners; others have none.
   /// Of a scanner that measures several echoes per beam: the strongest instead of the first.
   bool takes_strongest_echo = false;
   /// Read rows of angles and distances. Ignored where the log's format says what it is.
@@ -178,6 +186,7 @@ struct LogOptions {
 ///   while (const LogRecord* record = reader->next()) mapper.add(record->scan);
 class LogReader {
  public:
+  /// Closes the file.
   virtual ~LogReader() = default;
 
   /// The next record, or null at the end. It stays valid until the next call; its vectors are used

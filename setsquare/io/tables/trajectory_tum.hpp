@@ -27,7 +27,7 @@ enum class QuaternionOrder {
 
 /// A trajectory as it was read, and what a plane cannot hold of it.
 struct TumReading {
-  Trajectory trajectory;
+  Trajectory trajectory;       ///< In the order of the file.
   std::size_t num_tilted = 0;  ///< Poses that lie on their side: more than 45 deg from upright.
 };
 
@@ -36,12 +36,14 @@ struct TumReading {
 [[nodiscard]] TumReading read_tum(std::unique_ptr<ByteSource> source,
                                   const std::string& name,
                                   QuaternionOrder order = QuaternionOrder::kWLast);
+/// The same of a file; "-" is standard input.
 [[nodiscard]] TumReading read_tum(const std::string& path,
                                   QuaternionOrder order = QuaternionOrder::kWLast);
 
 /// Reads the TUM format; z, and any rotation but that about z, are left out. Throws FileError;
 /// FormatError with the line.
 [[nodiscard]] Trajectory read_trajectory_tum(const std::string& path);
+/// The same of text from any source; `name` stands for the path in errors.
 [[nodiscard]] Trajectory read_trajectory_tum(std::unique_ptr<ByteSource> source,
                                              const std::string& name);
 

@@ -13,6 +13,7 @@
 
 namespace setsquare {
 
+/// How a map is written: nothing of it changes the map.
 struct SaveMapOptions {
   std::string title = "map";       ///< Of report.html.
   PoseOf pose_of = PoseOf::kBase;  ///< What trajectory.tum holds.

@@ -37,8 +37,8 @@ enum class FindingKind {
 
 /// One thing that is wrong with a log, and what to do.
 struct LogFinding {
-  FindingKind kind = FindingKind::kRemark;
-  std::string sentence;  ///< What was seen; names the laser.
+  FindingKind kind = FindingKind::kRemark;  ///< What it is about.
+  std::string sentence;                     ///< What was seen; names the laser.
   /// Of the scans, ranges or poses that it concerns, 0 to 1; nothing where it has none.
   std::optional<double> share = {};
   std::string option = {};  ///< Of the command, which mends it; empty where none does.

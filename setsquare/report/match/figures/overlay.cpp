@@ -10,8 +10,8 @@
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/contradictions.hpp"
 #include "setsquare/report/match/figures/figures.hpp"
-#include "setsquare/report/match/figures/plot_panel.hpp"
 #include "setsquare/report/palette.hpp"
+#include "setsquare/report/plot_panel.hpp"
 
 namespace setsquare {
 namespace {

@@ -12,8 +12,8 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/report/match/figures/figures.hpp"
-#include "setsquare/report/match/figures/plot_panel.hpp"
 #include "setsquare/report/palette.hpp"
+#include "setsquare/report/plot_panel.hpp"
 
 namespace setsquare {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/report/match/figures/plot_panel.hpp"
+#include "setsquare/report/plot_panel.hpp"
 
 #include <algorithm>
 #include <array>
