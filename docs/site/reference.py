@@ -27,11 +27,13 @@ def cpp_pages(headers):
         layers.setdefault(parts[1] if len(parts) > 2 else "setsquare", []).append(header)
     pages = {}
     for layer, files in layers.items():
-        text = f"# {LAYERS[layer]}\n"
+        text = f"# {LAYERS.get(layer, layer)}\n"
         for header in files:
             text += f"\n## {header}\n\n```{{eval-rst}}\n.. doxygenfile:: {header}\n```\n"
         pages[layer] = text
-    listed = "\n".join(sorted(layers, key=list(LAYERS).index))
+    # Those that are named above in that order, then any other.
+    listed = "\n".join([layer for layer in LAYERS if layer in layers] +
+                       [layer for layer in layers if layer not in LAYERS])
     pages["index"] = ("# API: C++\n\n`#include \"setsquare/setsquare.hpp\"` and link `setsquare::setsquare`. "
                       "A page for each layer of the library, the first to use first: see the "
                       "[front door](../../../ARCHITECTURE.md).\n\n```{toctree}\n:maxdepth: 1\n\n" + listed +

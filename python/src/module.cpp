@@ -10,6 +10,14 @@ PyObject* refuse_to_make(PyTypeObject* type, PyObject* /*arguments*/, PyObject* 
   return nullptr;
 }
 
+/// Whether a class was given one; pybind11 gives every other a slot that raises TypeError.
+bool has_constructor(const pybind11::handle& type) {
+  const pybind11::object own = type.attr("__dict__");
+  if (own.contains("__setstate__")) return true;
+  const pybind11::object init = own.attr("get")("__init__");
+  return !init.is_none() && PyObject_TypeCheck(init.ptr(), &PyWrapperDescr_Type) == 0;
+}
+
 /// What only functions make cannot be made empty either, by `X.__new__(X)` or by copying: it would
 /// be memory that nobody wrote. pybind11 itself makes its objects without __new__.
 void refuse_new_where_there_is_no_constructor(const pybind11::module_& module) {
@@ -17,8 +25,7 @@ void refuse_new_where_there_is_no_constructor(const pybind11::module_& module) {
     if (!PyType_Check(item.ptr())) continue;
     auto* type = reinterpret_cast<PyTypeObject*>(item.ptr());
     if (PyType_IsSubtype(type, reinterpret_cast<PyTypeObject*>(PyExc_BaseException)) != 0) continue;
-    const auto own = item.attr("__dict__");
-    if (!own.contains("__init__") && !own.contains("__setstate__")) type->tp_new = &refuse_to_make;
+    if (!has_constructor(item)) type->tp_new = &refuse_to_make;
   }
 }
 

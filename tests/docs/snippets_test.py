@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs every command and program of the README and of the documents, page by page.
 
-    snippets_test.py SOURCE BUILD PREFIX FOLDER
+    snippets_test.py SOURCE BUILD PREFIX FOLDER [PAGE...]
 
-BUILD has the command and the Python module, PREFIX the installed library. Exit code 77: skipped.
+By default all pages. BUILD has the command and the Python module, PREFIX the installed library. Exit code 77: skipped.
 """
 import os
 import pathlib
@@ -129,6 +129,7 @@ def main():
     if not runner.has_python:
         print("without the Python module (SETSQUARE_BUILD_PYTHON): no Python is run")
     texts = {str(path.relative_to(source)): path.read_text(encoding="utf-8") for path in pages_of(source)}
+    texts = {page: text for page, text in texts.items() if page in (sys.argv[5:] or texts)}
     faults = unknown_options(runner.command, texts)
     not_run, num_run = [], 0
     for page, text in texts.items():

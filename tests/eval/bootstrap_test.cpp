@@ -27,15 +27,15 @@ std::vector<double> alike(std::mt19937_64& generator, std::size_t num, double li
   return values;
 }
 
-/// In how many of 200 sets the true mean lies within the bounds of the mean.
+/// In what share of 150 sets the true mean lies within the bounds of the mean.
 double coverage(double likeness, std::size_t block_length) {
   auto generator = testing::make_generator();
   int num_within = 0;
-  constexpr int kNumSets = 200;
+  constexpr int kNumSets = 150;
   for (int set = 0; set < kNumSets; ++set) {
     const auto values = alike(generator, 400, likeness);
     const ErrorBounds bounds =
-        bootstrap_bounds(values, {.num_resamples = 200, .block_length = block_length});
+        bootstrap_bounds(values, {.num_resamples = 100, .block_length = block_length});
     if (bounds.mean.low <= 5.0 && 5.0 <= bounds.mean.high) ++num_within;
   }
   return static_cast<double>(num_within) / kNumSets;
