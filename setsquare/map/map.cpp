@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/map/map.hpp"
 
+#include <algorithm>
+
 #include "setsquare/grid/grid_from_scans.hpp"
 
 namespace setsquare {
@@ -27,6 +29,19 @@ StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
 }
 
 }  // namespace
+
+bool begins_later_session(const Map& map, std::size_t scan) {
+  return scan > 0 && std::ranges::any_of(map.sessions, [&](const MapSession& session) {
+           return session.first_scan == scan;
+         });
+}
+
+bool is_joined(const Map& map, const MapSession& session) {
+  return std::ranges::any_of(map.pieces, [&](const TrackPiece& piece) {
+    return piece.is_joined && piece.first_scan >= session.first_scan &&
+           piece.first_scan < session.first_scan + session.num_scans;
+  });
+}
 
 Trajectory trajectory_of(const Map& map, PoseOf pose_of) {
   Trajectory trajectory;
@@ -64,17 +79,30 @@ std::vector<LoopClosure> closures_of(const Map& map) {
 
 std::vector<PlacedScan> placed_scans(const Map& map) {
   std::vector<PlacedScan> placed;
+  std::size_t session = 0;
   placed.reserve(map.kept_scans.size());
   for (const KeptScan& kept : map.kept_scans) {
     const MappedScan& mapped = map.scans[kept.index];
+    while (session + 1 < map.sessions.size() &&
+           map.sessions[session + 1].first_scan <= kept.index) {
+      ++session;
+    }
     if (mapped.status == TrackStatus::kLost || !mapped.is_placed) continue;
-    placed.push_back({kept.scan.get(), mapped.T_map_sensor});
+    placed.push_back({kept.scan.get(),
+                      mapped.T_map_sensor,
+                      map.sessions.empty() ? 0 : map.sessions[session].recency});
   }
   return placed;
 }
 
 OccupancyGrid occupancy_grid(const Map& map, int num_threads, double grid_heading_rad) {
-  return grid_from_scans(placed_scans(map), grid_heading_rad, {.num_threads = num_threads});
+  return occupancy_grid_with_changes(map, num_threads, grid_heading_rad).grid;
+}
+
+GridWithChanges occupancy_grid_with_changes(const Map& map,
+                                            int num_threads,
+                                            double grid_heading_rad) {
+  return grid_with_changes(placed_scans(map), grid_heading_rad, {.num_threads = num_threads});
 }
 
 }  // namespace setsquare

@@ -30,6 +30,7 @@ struct MapPictureLayers {
   std::span<const MappedScan> scans;
   std::span<const LoopClosure> closures;  ///< Of scans with those stamps.
   std::span<const MapDoubt> doubts = {};  ///< Numbered from 1 in their order.
+  std::span<const MapSession> sessions = {};  ///< Their ways are not joined to each other.
 };
 
 /// A map for people: walls, free space, loop closures, the robot's path with its start and end, a
