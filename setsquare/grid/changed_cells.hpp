@@ -16,9 +16,10 @@ namespace setsquare {
 
 /// When cells have changed.
 struct ChangedCellParams {
-  double sure_log_odds = 1.4;  ///< A session is sure of a cell from here on: four beams or two hits.
-  double same_wall_m = 0.1;    ///< A wall that both saw, no farther off than this, did not change.
-  std::size_t min_cells = 3;   ///< Of a place that is told.
+  double sure_log_odds =
+      1.4;                    ///< A session is sure of a cell from here on: four beams or two hits.
+  double same_wall_m = 0.1;   ///< A wall that both saw, no farther off than this, did not change.
+  std::size_t min_cells = 3;  ///< Of a place that is told.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -34,9 +35,9 @@ struct CellCounts {
 ///
 /// A session and the newer ones contradict each other in a cell if the one is sure that it is free
 /// and the other that it is occupied. The cell changed if no wall that is seen by the one that sees
-/// a free cell is within `same_wall_m`: else it is the same wall, seen a little off. So did the cells
-/// next to it that are contradicted, too: those at the frame of a door. Of a cell that changed what
-/// is older no longer counts.
+/// a free cell is within `same_wall_m`: else it is the same wall, seen a little off. So did the
+/// cells next to it that are contradicted, too: those at the frame of a door. Of a cell that
+/// changed what is older no longer counts.
 class ChangedCells {
  public:
   ChangedCells(std::int32_t num_columns,
@@ -69,7 +70,7 @@ class ChangedCells {
   double resolution_m_;
   ScanInsertionParams insertion_;
   ChangedCellParams params_;
-  std::int32_t reach_;              ///< same_wall_m in cells.
+  std::int32_t reach_;  ///< same_wall_m in cells.
   std::vector<std::uint8_t> is_changed_;
 };
 

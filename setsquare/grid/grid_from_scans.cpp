@@ -33,7 +33,8 @@ std::vector<PlacedScan> spaced(std::span<const PlacedScan> scans,
     if (!is_usable(pose)) continue;
     if (!kept.empty()) {
       const Pose2 motion = kept.back().T_map_sensor.inverse() * pose;
-      if (kept.back().recency == placed.recency && motion.translation().norm() < params.min_spacing_m &&
+      if (kept.back().recency == placed.recency &&
+          motion.translation().norm() < params.min_spacing_m &&
           std::abs(motion.theta_rad) < params.min_turn_rad) {
         continue;
       }
@@ -170,11 +171,8 @@ std::vector<ChangedPlace> fill(OccupancyGrid& grid,
   count(grid, scans, recencies.front(), params, counts);
   std::vector<ChangedPlace> changes;
   if (recencies.size() > 1) {
-    ChangedCells changed(grid.num_columns(),
-                         grid.num_rows(),
-                         grid.resolution_m(),
-                         params.insertion,
-                         params.changes);
+    ChangedCells changed(
+        grid.num_columns(), grid.num_rows(), grid.resolution_m(), params.insertion, params.changes);
     for (std::size_t s = 1; s < recencies.size(); ++s) {
       std::vector<float> older_passes(num_cells, 0.0F);
       std::vector<std::uint16_t> older_hits(num_cells, 0);

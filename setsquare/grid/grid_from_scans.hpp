@@ -36,7 +36,8 @@ struct GridFromScansParams {
 /// 2. The extent of all beams makes the grid.
 /// 3. Band of rows by band of rows, the beams that end in a cell and those that pass through it are
 ///    counted (EvidenceBand): small enough for the cache, and a piece of work for a thread.
-/// 4. Scans of several sessions (PlacedScan::recency) are counted session by session, from the newest
+/// 4. Scans of several sessions (PlacedScan::recency) are counted session by session, from the
+/// newest
 ///    to the oldest. Where walls changed what is older does not count (ChangedCells).
 /// 5. The counts become log-odds.
 [[nodiscard]] OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,

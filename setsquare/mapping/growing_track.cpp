@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
-#include <map>
-#include <numeric>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
@@ -55,6 +53,12 @@ void require_track(const Map& map) {
   if (!has_track) {
     throw ParameterError("map", "does not tell its track: the preset \"paper\" makes none");
   }
+}
+
+/// The first of the map's keyframes that is not before a scan.
+std::size_t keyframe_at(const Map& map, std::size_t scan) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(map.keyframes, scan) -
+                                  map.keyframes.begin());
 }
 
 /// The piece of track, from 0, that each of the map's keyframes belongs to.
@@ -201,61 +205,56 @@ void GrowingTrack::add_session(const Map& map, const MapSession& session) {
   begin_session();
   open_session();
   const std::size_t end = session.first_scan + session.num_scans;
-  const auto moved = [&](std::size_t scan) {
-    return scan - session.first_scan + sessions_.back().first_scan;
-  };
-  std::map<std::size_t, std::shared_ptr<const Scan>> kept;
+  ScansByIndex kept;
   for (const KeptScan& scan : map.kept_scans) {
     if (scan.index >= session.first_scan && scan.index < end) kept.emplace(scan.index, scan.scan);
   }
   for (std::size_t i = session.first_scan; i < end; ++i) {
     const MappedScan& scan = map.scans[i];
     const auto whole = kept.find(i);
-    scans_.push_back(tracked_scan(scan,
-                                  map.track.T_odom_sensor[i],
-                                  whole != kept.end()
-                                      ? whole->second->T_base_sensor
-                                      : scan.T_map_base.inverse() * scan.T_map_sensor));
+    const Pose2 T_base_sensor = whole != kept.end() ? whole->second->T_base_sensor
+                                                    : scan.T_map_base.inverse() * scan.T_map_sensor;
+    scans_.push_back(tracked_scan(scan, map.track.T_odom_sensor[i], T_base_sensor));
   }
   sessions_.back().num_scans = session.num_scans;
+  add_keyframes(map, session, kept);
+  for (const auto& [index, scan] : kept) {
+    kept_.append(index - session.first_scan + sessions_.back().first_scan, scan);
+  }
+}
 
-  const auto first =
-      std::lower_bound(map.keyframes.begin(), map.keyframes.end(), session.first_scan);
-  const auto behind = std::lower_bound(first, map.keyframes.end(), end);
-  const auto first_k = static_cast<std::size_t>(first - map.keyframes.begin());
-  const auto end_k = static_cast<std::size_t>(behind - map.keyframes.begin());
-  std::vector<KeyframePtr> keyframes(end_k - first_k);
+void GrowingTrack::add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept) {
+  const std::size_t first = keyframe_at(map, session.first_scan);
+  const std::size_t end = keyframe_at(map, session.first_scan + session.num_scans);
+  std::vector<KeyframePtr> keyframes(end - first);
   run_in_parallel(keyframes.size(), params_.num_threads, [&](std::size_t i) {
-    const std::size_t scan_index = map.keyframes[first_k + i];
+    const std::size_t scan_index = map.keyframes[first + i];
     const auto whole = kept.find(scan_index);
     if (whole == kept.end()) return;
     const Scan& scan = *whole->second;
-    keyframes[i] = std::make_shared<const Keyframe>(Keyframe{
-        .scan_index = moved(scan_index),
-        .T_odom_sensor = map.track.T_odom_sensor[scan_index],
-        .T_odom_body = map.track.motions[first_k + i].T_odom_body,
-        .scan = scan,
-        .surfaces = scan_surfaces(scan, params_.tracker.surfaces, params_.tracker.image)});
+    auto surfaces = scan_surfaces(scan, params_.tracker.surfaces, params_.tracker.image);
+    keyframes[i] = std::make_shared<const Keyframe>(
+        Keyframe{.scan_index = scan_index - session.first_scan + sessions_.back().first_scan,
+                 .T_odom_sensor = map.track.T_odom_sensor[scan_index],
+                 .T_odom_body = map.track.motions[first + i].T_odom_body,
+                 .scan = scan,
+                 .surfaces = std::move(surfaces)});
   });
   const std::vector<std::size_t> pieces = pieces_of_keyframes(map);
-  for (std::size_t i = 0; i < keyframes.size(); ++i) {
-    const KeyframePtr& keyframe = keyframes[i];
+  const auto& motions = map.track.motions;
+  for (std::size_t k = first; k < end; ++k) {
+    const KeyframePtr& keyframe = keyframes[k - first];
     if (!keyframe) throw ParameterError("map", "does not keep the scan of a keyframe");
-    kept[map.keyframes[first_k + i]] = {keyframe, &keyframe->scan};
-    TrackedMotion motion = map.track.motions[first_k + i];
-    const bool is_first = i == 0;
-    if (!is_first) {
-      // Stretches of open corridors are numbered from the session's begin.
-      motion.covariance.open_stretch -=
-          first_k == 0 ? 0 : map.track.motions[first_k].covariance.open_stretch;
+    kept[map.keyframes[k]] = {keyframe, &keyframe->scan};
+    Step step{.motion = motions[k]};
+    if (k > first) {
+      step.begins_stretch = motions[k].stretch != motions[k - 1].stretch;
+      step.begins_piece = pieces[k] != pieces[k - 1];
+      // Open stretches are counted from the begin of their session.
+      if (first > 0) step.motion.covariance.open_stretch -= motions[first].covariance.open_stretch;
     }
-    const std::size_t k = first_k + i;
-    add_keyframe(keyframe,
-                 {motion,
-                  !is_first && motion.stretch != map.track.motions[k - 1].stretch,
-                  !is_first && pieces[k] != pieces[k - 1]});
+    add_keyframe(keyframe, step);
   }
-  for (const auto& [index, scan] : kept) kept_.append(moved(index), scan);
 }
 
 void GrowingTrack::date_by_stamps() {

@@ -5,6 +5,8 @@
 
 #include <cstddef>
 #include <functional>
+#include <map>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -58,8 +60,13 @@ class GrowingTrack {
     bool begins_piece = false;
   };
 
+  using ScansByIndex = std::map<std::size_t, std::shared_ptr<const Scan>>;  ///< Of Map::scans.
+
   [[nodiscard]] bool holds(const Map& map, const MapSession& session) const;
   void add_session(const Map& map, const MapSession& session);
+  /// `kept`: the session's; those of keyframes share the keyframe's memory afterwards. Throws
+  /// ParameterError where one is missing.
+  void add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept);
   /// The session that waits for its first scan begins.
   void open_session();
   /// A session without keyframes has no place anywhere.

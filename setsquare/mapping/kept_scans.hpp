@@ -55,8 +55,8 @@ class KeptScans {
 
   /// Kept scans of an index less than this.
   [[nodiscard]] std::size_t num_before(std::size_t index) const {
-    return static_cast<std::size_t>(
-        std::ranges::lower_bound(kept_, index, {}, &KeptScan::index) - kept_.begin());
+    return static_cast<std::size_t>(std::ranges::lower_bound(kept_, index, {}, &KeptScan::index) -
+                                    kept_.begin());
   }
 
   [[nodiscard]] const std::vector<KeptScan>& kept() const { return kept_; }

@@ -60,9 +60,7 @@ class Twin {
                          p.pass_log_odds / p.no_returns_per_pass * counts.num_passes[i];
       return sum >= 1.4 ? 1 : sum <= -1.4 ? -1 : 0;
     };
-    const auto contradicts = [&](std::size_t i) {
-      return state(newer, i) * state(older, i) == -1;
-    };
+    const auto contradicts = [&](std::size_t i) { return state(newer, i) * state(older, i) == -1; };
     const auto any_about = [&](std::int32_t column, std::int32_t row, int reach, auto is) {
       for (std::int32_t r = row - reach; r <= row + reach; ++r) {
         for (std::int32_t c = column - reach; c <= column + reach; ++c) {
@@ -230,8 +228,7 @@ TEST(GridOfSessions, IsThatOfOneWhereNothingChanged) {
   EXPECT_TRUE(sessions.changes.empty());
   EXPECT_EQ(sessions.grid.values(), grid_from_scans(together(once, same)).values());
   // Which recency the only session has does not matter.
-  EXPECT_EQ(grid_from_scans(Visit(6.97, 7).placed).values(),
-            grid_from_scans(once.placed).values());
+  EXPECT_EQ(grid_from_scans(Visit(6.97, 7).placed).values(), grid_from_scans(once.placed).values());
 }
 
 TEST(GridOfSessions, AnyNumberOfThreadsGivesTheSame) {

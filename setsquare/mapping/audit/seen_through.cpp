@@ -63,8 +63,7 @@ std::vector<std::size_t> other_passes(std::size_t keyframe,
 }
 
 SurfaceSamples samples_of(const SurfacePoints& all) {
-  return sample_surface(
-      all, direction_balanced_weights(all, angle_histogram(all)), kNumSamples);
+  return sample_surface(all, direction_balanced_weights(all, angle_histogram(all)), kNumSamples);
 }
 
 bool is_seen_through(const SurfaceSamples& points,

@@ -184,11 +184,14 @@ class PieceJoiner {
                 {.num_pairs = proposed.size(),
                  .num_matched = right.size(),
                  .num_agreeing = static_cast<std::size_t>(places_in(most_agreed(right)))});
-    const std::vector<Proposal> agreed =
-        agreed_alone(right, &places_in, static_cast<double>(params_.min_agreeing));
+    const bool is_of_another = is_of_another_session(group, main);
+    const std::vector<Proposal> agreed = agreed_alone(right,
+                                                      is_of_another ? &places_seen_in : &places_in,
+                                                      static_cast<double>(params_.min_agreeing));
     if (agreed.empty()) return false;
-    if (is_of_another_session(group, main) &&
-        may_be_twin(claim_of(agreed, group, main), track_, T_map_sensor_, params_)) {
+    if (is_of_another &&
+        (2.0 * places_seen_in(agreed) < places_in(agreed) ||
+         may_be_twin(claim_of(agreed, group, main), track_, T_map_sensor_, params_))) {
       return false;
     }
     merge(group, main, agreed);
@@ -217,7 +220,8 @@ class PieceJoiner {
   [[nodiscard]] JoiningClaim claim_of(const std::vector<Proposal>& agreed,
                                       std::size_t group,
                                       std::size_t main) const {
-    JoiningClaim claim{.T_map_piece = agreed.front().T_map_piece, .places = {}, .known = {}, .piece = {}};
+    JoiningClaim claim{
+        .T_map_piece = agreed.front().T_map_piece, .places = {}, .known = {}, .piece = {}};
     for (const Proposal& proposal : agreed) claim.places.push_back(proposal.sought);
     for (std::size_t k = 0; k < track_.size(); ++k) {
       claim.known.push_back(group_of(k) == main);
@@ -403,6 +407,19 @@ class PieceJoiner {
     std::set<std::size_t> places;
     for (const Proposal& proposal : proposals) places.insert(proposal.sought);
     return static_cast<double>(places.size());
+  }
+  /// The same, where a place counts the less the more of its walls are contradicted: what looks
+  /// like it is not yet it.
+  [[nodiscard]] static double places_seen_in(const std::vector<Proposal>& proposals) {
+    constexpr double kNoPlace = 0.1;  // So much is contradicted at most (ClosureVerdictParams).
+    std::map<std::size_t, double> places;
+    for (const Proposal& proposal : proposals) {
+      double& place = places[proposal.sought];
+      place = std::max(place, 1.0 - proposal.places.contradiction / kNoPlace);
+    }
+    double sum = 0.0;
+    for (const auto& [place, votes] : places) sum += votes;
+    return sum;
   }
   /// Votes of matches across a break, where a scan or two is all there may be.
   [[nodiscard]] static double weight_in(const std::vector<Proposal>& proposals) {

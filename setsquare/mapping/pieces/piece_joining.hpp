@@ -26,7 +26,8 @@ struct JoinedPieces {
 
 /// Finds where pieces of track belong that tracking could not tie to each other.
 ///
-/// 1. Across each break of a session the keyframes just before and just after are matched without a guess, pair
+/// 1. Across each break of a session the keyframes just before and just after are matched without a
+/// guess, pair
 ///    by pair; where they agree, the pieces hang together.
 /// 2. Places of what hangs together are compared by their signatures with those of all that has
 ///    been joined so far.
@@ -34,7 +35,8 @@ struct JoinedPieces {
 ///    submap.
 /// 4. Where enough places agree upon where the piece lies, and more than upon any other place, it
 ///    is joined.
-/// 5. A piece of another session only if they are not all of one room, and what both saw beside them
+/// 5. A piece of another session only if they are not all of one room, and what both saw beside
+/// them
 ///    is the same, too: nothing else tells apart two rooms that are alike.
 /// `T_map_sensor`: one per keyframe, right within each piece. Throws ParameterError.
 [[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,

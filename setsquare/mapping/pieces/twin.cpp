@@ -21,7 +21,7 @@ constexpr double kUndrifted_m = 12.0;
 /// Fewer keyframes tell nothing.
 constexpr std::size_t kFewestBeside = 4;
 
-double distance_m(const Pose2& a, const Pose2& b) {
+double straight_m(const Pose2& a, const Pose2& b) {
   return (a.translation() - b.translation()).norm();
 }
 
@@ -29,7 +29,7 @@ double extent_m(const std::vector<std::size_t>& places, std::span<const Pose2> T
   double extent_m = 0.0;
   for (const std::size_t a : places) {
     for (const std::size_t b : places) {
-      extent_m = std::max(extent_m, distance_m(T_map_sensor[a], T_map_sensor[b]));
+      extent_m = std::max(extent_m, straight_m(T_map_sensor[a], T_map_sensor[b]));
     }
   }
   return extent_m;
@@ -47,7 +47,7 @@ std::set<std::size_t> keyframes_beside(const JoiningClaim& claim,
         if (is_forward ? k + 1 == track.size() : k == 0) break;
         const std::size_t next = is_forward ? k + 1 : k - 1;
         if (track.pieces[next] != track.pieces[k]) break;
-        way_m += distance_m(T_map_sensor[next], T_map_sensor[k]);
+        way_m += straight_m(T_map_sensor[next], T_map_sensor[k]);
         k = next;
         if (claim.piece[k]) found.insert(k);
       }
@@ -55,7 +55,7 @@ std::set<std::size_t> keyframes_beside(const JoiningClaim& claim,
   }
   std::erase_if(found, [&](std::size_t k) {
     return std::ranges::any_of(claim.places, [&](std::size_t place) {
-      return distance_m(T_map_sensor[place], T_map_sensor[k]) < kSameSpot_m;
+      return straight_m(T_map_sensor[place], T_map_sensor[k]) < kSameSpot_m;
     });
   });
   return found;
@@ -79,7 +79,7 @@ bool may_be_twin(const JoiningClaim& claim,
     std::optional<std::size_t> nearest;
     double nearest_m = kSameView_m;
     known.visit(T_map_k.translation(), kSameView_m, [&](std::size_t other) {
-      const double apart_m = distance_m(T_map_sensor[other], T_map_k);
+      const double apart_m = straight_m(T_map_sensor[other], T_map_k);
       if (apart_m >= nearest_m) return;
       nearest_m = apart_m;
       nearest = other;
@@ -92,9 +92,9 @@ bool may_be_twin(const JoiningClaim& claim,
       ++num_contradicted;
     }
   }
-  return num_compared >= kFewestBeside && static_cast<double>(num_contradicted) >
-                                             params.max_seen_through *
-                                                 static_cast<double>(num_compared);
+  return num_compared >= kFewestBeside &&
+         static_cast<double>(num_contradicted) >
+             params.max_seen_through * static_cast<double>(num_compared);
 }
 
 }  // namespace setsquare

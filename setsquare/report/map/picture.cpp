@@ -55,9 +55,8 @@ void draw_path(Image& image,
                const MapPictureLayers& layers) {
   const Scans scans = layers.scans;
   const auto begins_session = [&](std::size_t scan) {
-    return std::ranges::any_of(layers.sessions, [&](const MapSession& session) {
-      return session.first_scan == scan;
-    });
+    return std::ranges::any_of(
+        layers.sessions, [&](const MapSession& session) { return session.first_scan == scan; });
   };
   for (const StatusStyle& style : kStatusStyles) {
     std::vector<PixelPoint> line;
