@@ -12,11 +12,14 @@
 //   const MappedLog mapped = map_logs({"intel.clf"});  // The same in one call.
 //   save_map(mapped.map, "out", save_options_of(mapped));
 //
+//   const SavedMap saved = load_map_file("out");  // What map.setsquare there holds.
+//
 // Link setsquare::setsquare. To match one scan with many, `prepare` each once.
 #pragma once
 
 #include "setsquare/eval/evaluate.hpp"             // IWYU pragma: export
 #include "setsquare/io/logs/open_log.hpp"          // IWYU pragma: export
+#include "setsquare/io/map_file/map_file.hpp"      // IWYU pragma: export
 #include "setsquare/io/tables/relations.hpp"       // IWYU pragma: export
 #include "setsquare/io/tables/trajectory_tum.hpp"  // IWYU pragma: export
 #include "setsquare/map/map.hpp"                   // IWYU pragma: export

@@ -59,8 +59,8 @@ PyMap map_log_of(const py::object& path,
   options.preset = preset_from(preset);
   const std::vector<std::string> paths = paths_from(path);
   Watch watch(progress);
-  return {std::make_shared<const MappedLog>(without_gil(
-      [&] { return map_logs(paths, options, {.on_progress = std::ref(watch), .on_stage = {}}); }))};
+  return PyMap(without_gil(
+      [&] { return map_logs(paths, options, {.on_progress = std::ref(watch), .on_stage = {}}); }));
 }
 
 /// A mapper that several threads may use.
@@ -157,9 +157,9 @@ Raises ParameterError where the scan's geometry is not valid or a pose is not fi
       .def(
           "finish",
           [](PyMapper& self) {
-            auto mapped = std::make_shared<MappedLog>();
-            mapped->map = self.with([](Mapper& mapper) { return mapper.finish(); });
-            return PyMap{std::move(mapped)};
+            MappedLog mapped;
+            mapped.map = self.with([](Mapper& mapper) { return mapper.finish(); });
+            return PyMap(std::move(mapped));
           },
           "The Map of all scans so far; more may follow.")
       .def("__len__", [](PyMapper& self) {

@@ -7,10 +7,13 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "python/src/bindings.hpp"
 #include "python/src/conversions.hpp"
 #include "python/src/trajectories.hpp"
+#include "setsquare/io/logs/faults/findings_json.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/map/map_summary.hpp"
 #include "setsquare/map/map_verdict.hpp"
 #include "setsquare/report/map/save_map.hpp"
@@ -123,13 +126,23 @@ ConstraintRow row_of(const Constraint& constraint) {
 
 std::vector<std::string> save(const PyMap& self,
                               const py::object& folder,
-                              const std::string& pose_of,
+                              const std::optional<std::string>& pose_of,
                               int num_threads) {
   const std::string path = path_from(folder);
-  SaveMapOptions options =
-      save_options_of(*self.mapped, is_of_sensor(pose_of) ? PoseOf::kSensor : PoseOf::kBase);
+  SaveMapOptions options = save_options_of(self.saved->record);
+  if (pose_of) options.pose_of = is_of_sensor(*pose_of) ? PoseOf::kSensor : PoseOf::kBase;
   options.num_threads = threads_from(num_threads);
   return without_gil([&] { return save_map(self.map(), path, options); });
+}
+
+void save_file_of(const PyMap& self, const py::object& path) {
+  const std::string name = path_from(path);
+  without_gil([&] { save_map_file(self.map(), name, self.saved->record); });
+}
+
+PyMap load(const py::object& path) {
+  const std::string name = path_from(path);
+  return without_gil([&] { return PyMap(load_map_file(name)); });
 }
 
 void bind_doubt(py::module_& module) {
@@ -158,7 +171,9 @@ void bind_doubt(py::module_& module) {
 
 /// Of Map.graph: its own memory is the map's.
 struct PyGraph {
-  std::shared_ptr<const MappedLog> mapped;
+  std::shared_ptr<const SavedMap> saved;
+
+  [[nodiscard]] const PoseGraph& graph() const { return saved->map.graph; }
 };
 
 void bind_graph(py::module_& module) {
@@ -168,20 +183,20 @@ void bind_graph(py::module_& module) {
       module, "PoseGraph", "Poses of the robot at the keyframes, and what ties them.")
       .def_property_readonly(
           "nodes",
-          [](const PyGraph& self) { return array_of(self.mapped->map.graph.T_map_node); },
+          [](const PyGraph& self) { return array_of(self.graph().T_map_node); },
           "float array of shape (N, 3): x and y in m, theta in rad, in the map.")
       .def_property_readonly(
           "constraints",
           [](const PyGraph& self) {
-            return rows_of<ConstraintRow>(self.mapped->map.graph.constraints,
+            return rows_of<ConstraintRow>(self.graph().constraints,
                                           [](const Constraint& one) { return row_of(one); });
           },
           R"(Structured array: from_node, to_node, is_loop_closure, x_m, y_m, theta_rad of to_node
 seen from from_node, information (3, 3) in 1/m^2, 1/(m rad), 1/rad^2, weight 0 to 1.)")
       .def("__repr__", [](const PyGraph& self) {
         return fmt::format("PoseGraph({} nodes, {} constraints)",
-                           self.mapped->map.graph.T_map_node.size(),
-                           self.mapped->map.graph.constraints.size());
+                           self.graph().T_map_node.size(),
+                           self.graph().constraints.size());
       });
 }
 
@@ -232,7 +247,7 @@ infinite where the scan is not placed).)")
           R"(Structured array of the places compared: scan_i, scan_j, x_m, y_m, theta_rad of j seen from
 i, axes bound (bytes "xy", "x", "y"), is_accepted, weight 0 to 1.)")
       .def_property_readonly(
-          "graph", [](const PyMap& self) { return PyGraph{self.mapped}; }, "The pose graph.")
+          "graph", [](const PyMap& self) { return PyGraph{self.saved}; }, "The pose graph.")
       .def(
           "grid",
           [](const PyMap& self, int num_threads) {
@@ -249,12 +264,22 @@ void bind_outputs(MapClass& map) {
          &save,
          py::arg("folder"),
          py::kw_only(),
-         py::arg("pose_of") = "base",
+         py::arg("pose_of") = py::none(),
          py::arg("num_threads") = 0,
          R"(Writes every file that `setsquare map` writes, but for timing.json, all of them or none.
 
-pose_of: whose poses trajectory.tum holds, "base" or "sensor". Returns the files' names. Raises
-FileError, ParameterError.)")
+pose_of: whose poses trajectory.tum holds, "base" or "sensor"; None: as the map was saved before, else
+"base". Returns the files' names. Raises FileError, ParameterError.)")
+      .def("save_file",
+           &save_file_of,
+           py::arg("path"),
+           R"(Writes the map file alone, map.setsquare, which Map.load reads. Raises FileError.)")
+      .def_static(
+          "load",
+          &load,
+          py::arg("path"),
+          R"(Reads a map file, or that of the folder which `setsquare map` wrote: the map as it was saved, bit
+for bit. Raises FileError, and FormatError where it is damaged or a newer Setsquare wrote it.)")
       .def(
           "to_png",
           [](const PyMap& self, int num_threads) {
@@ -273,13 +298,14 @@ FileError, ParameterError.)")
           "findings",
           [](const PyMap& self) {
             std::vector<std::string> texts;
-            for (const LogFinding& finding : self.mapped->findings)
+            for (const LogFinding& finding :
+                 findings_from_json(self.saved->record.run.findings_json))
               texts.push_back(text_of(finding));
             return texts;
           },
           "What is wrong with the log, a sentence each.")
       .def_property_readonly(
-          "format", [](const PyMap& self) { return self.mapped->format; }, "Of the log.")
+          "format", [](const PyMap& self) { return self.saved->record.run.format; }, "Of the log.")
       .def("__len__", [](const PyMap& self) { return self.map().scans.size(); })
       .def("__repr__", [](const PyMap& self) { return map_text(self); });
 }

@@ -3,16 +3,21 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "setsquare/pipeline/map_log.hpp"
 
 namespace setsquare::python {
 
-/// A map as Python holds it: with what is known of the log that it was made of, if it was one.
+/// A map as Python holds it: with what is known of its making.
 struct PyMap {
-  std::shared_ptr<const MappedLog> mapped;
+  explicit PyMap(SavedMap map) : saved(std::make_shared<const SavedMap>(std::move(map))) {}
+  explicit PyMap(MappedLog mapped)
+      : PyMap(SavedMap{.map = std::move(mapped.map), .record = map_record_of(mapped)}) {}
 
-  [[nodiscard]] const Map& map() const { return mapped->map; }
+  [[nodiscard]] const Map& map() const { return saved->map; }
+
+  std::shared_ptr<const SavedMap> saved;
 };
 
 }  // namespace setsquare::python

@@ -30,6 +30,25 @@ def test_the_files_are_those_of_the_command(command, log, mapped, tmp_path):
         assert (tmp_path / "by_python" / name).read_bytes() == by_command, name
 
 
+def test_a_map_lives_on_disk(mapped, tmp_path):
+    mapped.save(tmp_path / "one", pose_of="sensor")
+    loaded = setsquare.Map.load(tmp_path / "one")
+    assert repr(loaded) == repr(mapped) and loaded.format == mapped.format
+    assert loaded.findings == mapped.findings and loaded.verdict == mapped.verdict
+    assert np.array_equal(loaded.scans, mapped.scans)
+    assert np.array_equal(loaded.graph.constraints, mapped.graph.constraints)
+    for name in loaded.save(tmp_path / "two"):  # The frame is that of the map that was saved.
+        assert (tmp_path / "two" / name).read_bytes() == (tmp_path / "one" / name).read_bytes(), name
+    loaded.save_file(tmp_path / "alone.setsquare")
+    saved = (tmp_path / "alone.setsquare").read_bytes()
+    assert saved == (tmp_path / "one" / "map.setsquare").read_bytes()
+    (tmp_path / "short.setsquare").write_bytes(saved[:-1])
+    with pytest.raises(setsquare.FormatError, match="cut short"):
+        setsquare.Map.load(tmp_path / "short.setsquare")
+    with pytest.raises(setsquare.FileError):
+        setsquare.Map.load(tmp_path / "absent")
+
+
 def test_is_right(mapped, simulated_log):
     truth = setsquare.Trajectory.read_tum(str(simulated_log / "truth.tum"))
     assert setsquare.evaluate_trajectory(mapped.trajectory(), truth).translation_m.rmse < 0.1

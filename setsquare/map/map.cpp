@@ -3,7 +3,10 @@
 #include "setsquare/map/map.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
 
 namespace setsquare {
@@ -24,6 +27,19 @@ const char* to_string(TrackStatus status) {
 
 namespace {
 
+bool has_finite_numbers(const Pose2& pose) {
+  return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
+}
+
+/// Throws ParameterError with the first of the values that is not as it should be.
+template <typename Values, typename IsRight>
+void require_each(const Values& values, const char* name, const char* fault, IsRight is_right) {
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (is_right(values[k])) continue;
+    throw ParameterError(name + ("[" + std::to_string(k) + "]"), fault);
+  }
+}
+
 StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
   return {scan.stamp, pose_of == PoseOf::kSensor ? scan.T_map_sensor : scan.T_map_base};
 }
@@ -41,6 +57,59 @@ bool is_joined(const Map& map, const MapSession& session) {
     return piece.is_joined && piece.first_scan >= session.first_scan &&
            piece.first_scan < session.first_scan + session.num_scans;
   });
+}
+
+void validate(const Map& map) {
+  const std::size_t num_scans = map.scans.size();
+  const auto is_scan = [&](std::size_t index) { return index < num_scans; };
+  const auto are_scans = [&](const auto& stretch) {
+    return is_scan(stretch.first_scan) && stretch.num_scans <= num_scans - stretch.first_scan;
+  };
+  require_each(map.scans, "scans", "has a pose that is not finite", [](const MappedScan& scan) {
+    return has_finite_numbers(scan.T_map_sensor) && has_finite_numbers(scan.T_map_base);
+  });
+  require_each(map.keyframes, "keyframes", "names no scan", is_scan);
+  if (!map.headings.empty() && map.headings.size() != map.keyframes.size()) {
+    throw ParameterError("headings", "must be one per keyframe");
+  }
+  require_each(map.headings, "headings", "names no frame", [&](const MappedHeading& heading) {
+    return heading.frame < std::max<std::size_t>(map.frames.size(), 1);
+  });
+  std::size_t num_left = num_scans;
+  require_each(map.pieces, "pieces", "has no such scans", [&](const TrackPiece& piece) {
+    if (!are_scans(piece) || piece.num_scans > num_left) return false;
+    num_left -= piece.num_scans;
+    return true;
+  });
+  std::size_t next_scan = 0;
+  require_each(
+      map.sessions, "sessions", "does not follow the one before", [&](const auto& session) {
+        if (session.first_scan != next_scan || session.num_scans > num_scans - next_scan)
+          return false;
+        next_scan += session.num_scans;
+        return true;
+      });
+  const MapTrack& track = map.track;
+  if (!track.T_odom_sensor.empty() && track.T_odom_sensor.size() != num_scans) {
+    throw ParameterError("track.T_odom_sensor", "must be one per scan");
+  }
+  require_each(track.T_odom_sensor, "track.T_odom_sensor", "is not finite", has_finite_numbers);
+  if (!track.motions.empty() && track.motions.size() != map.keyframes.size()) {
+    throw ParameterError("track.motions", "must be one per keyframe");
+  }
+  require_each(map.open_stretches, "open_stretches", "has no such scans", are_scans);
+  require_each(map.closures, "closures", "names no scan", [&](const MappedClosure& closure) {
+    return is_scan(closure.scan_i) && is_scan(closure.scan_j);
+  });
+  require_each(map.undecided_turns, "undecided_turns", "names no scan", [&](const auto& turn) {
+    return is_scan(turn.first_scan) && is_scan(turn.last_scan);
+  });
+  require_each(map.doubts, "doubts", "has no such scans", are_scans);
+  require_each(map.kept_scans, "kept_scans", "names no scan", [&](const KeptScan& kept) {
+    return is_scan(kept.index) && kept.scan != nullptr;
+  });
+  for (const KeptScan& kept : map.kept_scans) kept.scan->validate();
+  validate(map.graph);
 }
 
 Trajectory trajectory_of(const Map& map, PoseOf pose_of) {

@@ -148,6 +148,10 @@ struct Map {
   std::vector<MapDoubt> doubts;      ///< Where it may be wrong; empty where it was not audited.
 };
 
+/// Throws ParameterError where parts of a map do not belong together: an index names nothing, the
+/// pieces hold more scans than there are, a pose is not finite, a kept scan is absent or invalid.
+void validate(const Map& map);
+
 /// A heading whose standard deviation is above this is told to be open.
 inline constexpr double kOpenHeading_rad = rad_from_deg(5.0);
 

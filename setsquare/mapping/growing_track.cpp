@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <functional>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
@@ -52,6 +54,15 @@ void require_track(const Map& map) {
                          map.track.motions.size() == map.keyframes.size();
   if (!has_track) {
     throw ParameterError("map", "does not tell its track: the preset \"paper\" makes none");
+  }
+  validate(map);
+  const bool is_in_order = std::ranges::adjacent_find(
+                               map.keyframes, std::ranges::greater_equal{}) == map.keyframes.end();
+  if (!is_in_order) throw ParameterError("keyframes", "are not in the order of the scans");
+  for (const TrackedMotion& motion : map.track.motions) {
+    const MotionCovariance& covariance = motion.covariance;
+    if (covariance.translation_m2.determinant() > 0.0 && covariance.rotation_rad2 > 0.0) continue;
+    throw ParameterError("track.motions", "have a covariance that is none");
   }
 }
 

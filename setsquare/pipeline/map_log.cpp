@@ -127,11 +127,14 @@ MappedLog map_log(LogReader& reader,
   return mapped;
 }
 
+MapRecord map_record_of(const MappedLog& mapped, PoseOf pose_of) {
+  return {.title = title_of_log(mapped.name), .pose_of = pose_of, .run = record_of(mapped)};
+}
+
 SaveMapOptions save_options_of(const MappedLog& mapped, PoseOf pose_of) {
-  return {.title = title_of_log(mapped.name),
-          .pose_of = pose_of,
-          .num_threads = static_cast<int>(mapped.options.num_threads),
-          .run = record_of(mapped)};
+  SaveMapOptions options = save_options_of(map_record_of(mapped, pose_of));
+  options.num_threads = static_cast<int>(mapped.options.num_threads);
+  return options;
 }
 
 }  // namespace setsquare

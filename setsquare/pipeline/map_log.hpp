@@ -13,6 +13,7 @@
 
 #include "setsquare/io/logs/faults/finding.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/map/map.hpp"
 #include "setsquare/pipeline/preset.hpp"
 #include "setsquare/report/map/save_map.hpp"
@@ -67,6 +68,10 @@ struct MappedLog {
                                 const std::string& name,
                                 const MapLogOptions& options = {},
                                 const MapLogWatcher& watcher = {});
+
+/// What a map file keeps of it beside the map: save_map_file(mapped.map, path,
+/// map_record_of(mapped)).
+[[nodiscard]] MapRecord map_record_of(const MappedLog& mapped, PoseOf pose_of = PoseOf::kBase);
 
 /// How save_map() writes it, so that the files are those of `setsquare map` with the same options.
 [[nodiscard]] SaveMapOptions save_options_of(const MappedLog& mapped,

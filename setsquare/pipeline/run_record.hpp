@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "setsquare/map/run_record.hpp"
 #include "setsquare/pipeline/map_log.hpp"
-#include "setsquare/report/map/run_json.hpp"
 
 namespace setsquare {
 

@@ -41,7 +41,8 @@ TEST(CommandErrors, WithoutACommandTheCommandsAreListed) {
     EXPECT_THAT(outcome.err, StartsWith("Usage: setsquare"));
     EXPECT_THAT(outcome.err, HasSubstr("--help"));
   }
-  for (const char* const name : {"info", "map", "match", "explain", "simulate", "evaluate"}) {
+  for (const char* const name :
+       {"info", "map", "render", "match", "explain", "simulate", "evaluate"}) {
     EXPECT_THAT(run_setsquare("").err, HasSubstr(std::string("\n  ") + name + " "));
   }
 }

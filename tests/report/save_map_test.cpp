@@ -54,6 +54,7 @@ TEST(SaveMap, WritesEveryFileAndNothingElse) {
                           "graph.g2o",
                           "closures.tsv",
                           "report.html",
+                          "map.setsquare",
                           "run.json"));
   std::size_t num_files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(out)) {
@@ -157,6 +158,26 @@ TEST(SaveMap, SameMapSameBytesByAnyNumberOfThreads) {
   make_map_files(room, {.num_threads = 3}, [&](const std::string& name, std::string_view bytes) {
     EXPECT_EQ(first.at(name), bytes) << name;
   });
+}
+
+TEST(SaveMap, AMapThatIsLoadedGivesTheSameFilesAgain) {
+  const SaveMapOptions options = {
+      .title = "A room",
+      .pose_of = PoseOf::kSensor,
+      .run = {.version = "0.0.7", .log = "room.clf", .findings_json = "[1]"}};
+  for (const Map& map : {map_of_room(true), map_of_room(false), map_with_lost_pieces(2)}) {
+    std::map<std::string, std::string> first;
+    make_map_files(map, options, [&](const std::string& name, std::string_view bytes) {
+      first[name] = bytes;
+    });
+    const SavedMap saved = map_from_bytes(first.at("map.setsquare"), "");
+    std::map<std::string, std::string> second;
+    make_map_files(saved.map,
+                   save_options_of(saved.record),
+                   [&](const std::string& name, std::string_view bytes) { second[name] = bytes; });
+    EXPECT_EQ(first, second);
+    EXPECT_THAT(second.at("run.json"), HasSubstr("\"version\": \"0.0.7\""));
+  }
 }
 
 TEST(SaveMap, AFileInTheFoldersPlaceIsAnError) {

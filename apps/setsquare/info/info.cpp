@@ -7,6 +7,7 @@
 #include <memory>
 #include <string>
 
+#include "apps/setsquare/info/map.hpp"
 #include "apps/setsquare/info/report.hpp"
 #include "apps/setsquare/progress_bar.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
@@ -38,6 +39,10 @@ void survey_log(LogReader& reader, InfoReport& report) {
 }
 
 void tell_info(const InfoOptions& options) {
+  if (is_map(options.log_path)) {
+    print_map_info(options.log_path, options.is_json, std::cout);
+    return;
+  }
   LogOptions log_options = options.log;
   log_options.scans_only = false;
   if (log_options.sensor.empty()) log_options.sensor = "all";
@@ -61,14 +66,17 @@ void tell_info(const InfoOptions& options) {
 
 void add_info(CLI::App& application) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* info = application.add_subcommand("info", "What is in a log and what is wrong with it");
+  CLI::App* info = application.add_subcommand(
+      "info", "What is in a log and what is wrong with it, or what is in a map");
   add_log_argument(*info, options->log_path);
+  CLI::Option* const log = info->get_option("log");
+  log->description(log->get_description() + "; or the file or folder of a map");
   info->add_flag("--json", options->is_json, "Print JSON");
   add_log_options(*info, options->log);
   info->get_option("--sensor")->default_str("all");
   info->footer(
       "Angles in deg, lengths in m, times in s.\nExamples:\n  setsquare info intel.clf\n  zcat "
-      "log.gz | setsquare info - --json");
+      "log.gz | setsquare info - --json\n  setsquare info out/map.setsquare");
   info->callback([options] { tell_info(*options); });
 }
 

@@ -91,10 +91,6 @@ void tell(const MapSummary& summary, double total_s) {
                            1e6 * total_s / static_cast<double>(summary.num_scans));
 }
 
-void tell_files(const std::string& folder, const std::vector<std::string>& names) {
-  std::cout << fmt::format("written: {}/{}\n", folder, fmt::join(names, ", "));
-}
-
 /// What is wrong with the log, damaged records and remarks aside (tell_problems).
 void tell_findings(std::vector<LogFinding> findings) {
   std::erase_if(findings, [](const LogFinding& finding) {
@@ -143,7 +139,7 @@ void map_command(MapOptions options) {
   std::cout << verdict_text(mapped.map);
   tell(summary_of(mapped.map), seconds_of(clock));
   tell_run(mapped);
-  tell_files(options.output_path, outputs.added());
+  std::cout << written_text(options.output_path, outputs);
   tell_findings(mapped.findings);
   tell_problems(mapped.name, mapped.problems);
   if (options.is_strict && !mapped.map.doubts.empty()) throw CLI::RuntimeError(kExitDoubtful);
@@ -181,8 +177,10 @@ void add_map(CLI::App& application) {
       "Writes report.html (to open in a browser), map.png, map.pgm and map.yaml (for nav2),\n"
       "trajectory.tum (the pose of each scan that is placed), pieces/N.tum (of those that are "
       "not),\n"
-      "poses.tsv (each scan's pose, spread and doubts), graph.g2o, closures.tsv, run.json and\n"
-      "timing.json: all of them at the end, or none. docs/formats.md describes them.\n"
+      "poses.tsv (each scan's pose, spread and doubts), graph.g2o, closures.tsv, run.json,\n"
+      "timing.json and map.setsquare (the map itself, of which `setsquare render` makes the "
+      "others\n"
+      "again): all of them at the end, or none. docs/formats.md describes them.\n"
       "Pairs of scans are matched against the finished map; the first line says whether they "
       "agree.\n"
       "Examples:\n"

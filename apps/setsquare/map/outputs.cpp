@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/outputs.hpp"
 
+#include <fmt/format.h>
+
 #include "setsquare/report/map/save_map.hpp"
 
 namespace setsquare::app {
@@ -17,6 +19,7 @@ std::vector<std::string> map_output_names() {
           "closures.tsv",
           "report.html",
           "timing.json",
+          kMapFileName,
           "run.json"};
 }
 
@@ -35,6 +38,10 @@ void write_map_outputs(OutputSet& outputs,
                            .num_scans = mapped.map.scans.size(),
                            .num_threads = options.num_threads}));
   outputs.commit();
+}
+
+std::string written_text(const std::string& folder, const OutputSet& outputs) {
+  return fmt::format("written: {}/{}\n", folder, fmt::join(outputs.added(), ", "));
 }
 
 }  // namespace setsquare::app

@@ -23,4 +23,7 @@ void write_map_outputs(OutputSet& outputs,
                        PoseOf pose_of,
                        StageClock& clock);
 
+/// The line that tells which files were written.
+[[nodiscard]] std::string written_text(const std::string& folder, const OutputSet& outputs);
+
 }  // namespace setsquare::app

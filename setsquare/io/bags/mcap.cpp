@@ -3,11 +3,12 @@
 #include "setsquare/io/bags/mcap.hpp"
 
 #include <fmt/format.h>
-#include <zlib.h>
 
 #include <algorithm>
 #include <limits>
 #include <utility>
+
+#include "setsquare/io/bytes/crc32.hpp"
 
 namespace setsquare {
 namespace {
@@ -39,11 +40,6 @@ std::optional<Packing> packing_from_mcap(std::string_view compression) {
 Timestamp stamp_from_mcap(std::uint64_t ns) {
   constexpr std::uint64_t kLatest = std::numeric_limits<std::int64_t>::max();
   return {static_cast<std::int64_t>(std::min(ns, kLatest))};
-}
-
-std::uint32_t crc_of(std::string_view bytes) {
-  return static_cast<std::uint32_t>(
-      crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 
 /// Whether the record is whole and another one, or the end, behind it.
@@ -188,7 +184,7 @@ void Mcap::read_chunk(const McapHead& head) {
       input().enter_chunk(*packing, chunk->num_bytes_packed, chunk->num_bytes_unpacked);
   if (!damage.empty()) {
     problems().add(location, "a chunk is " + damage);
-  } else if (chunk->crc != 0 && chunk->crc != crc_of(input().chunk_bytes())) {
+  } else if (chunk->crc != 0 && chunk->crc != crc32_of(input().chunk_bytes())) {
     problems().add(location, "a chunk's checksum is wrong; its messages are read all the same");
   }
 }

@@ -3,8 +3,6 @@
 #include "setsquare/io/bags/mcap_writer.hpp"
 
 #include <lz4frame.h>
-#include <zlib.h>
-#include <zstd.h>
 
 #include <algorithm>
 #include <bit>
@@ -13,6 +11,8 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bags/mcap_records.hpp"
+#include "setsquare/io/bytes/crc32.hpp"
+#include "setsquare/io/bytes/zstd_packing.hpp"
 
 namespace setsquare {
 namespace {
@@ -72,14 +72,6 @@ void pack_lz4(std::string_view bytes, std::string& packed) {
   packed.resize(size);
 }
 
-void pack_zstd(std::string_view bytes, std::string& packed) {
-  packed.resize(ZSTD_compressBound(bytes.size()));
-  const std::size_t size =
-      ZSTD_compress(packed.data(), packed.size(), bytes.data(), bytes.size(), 1);
-  if (ZSTD_isError(size) != 0U) throw Error(std::string("zstd: ") + ZSTD_getErrorName(size));
-  packed.resize(size);
-}
-
 void pack(ChunkPacking packing, std::string_view bytes, std::string& packed) {
   switch (packing) {
     case ChunkPacking::kNone:
@@ -88,7 +80,7 @@ void pack(ChunkPacking packing, std::string_view bytes, std::string& packed) {
     case ChunkPacking::kLz4:
       return pack_lz4(bytes, packed);
     case ChunkPacking::kZstd:
-      return pack_zstd(bytes, packed);
+      return pack_zstd(bytes, 1, packed);
   }
 }
 
@@ -168,9 +160,7 @@ void McapWriter::close_chunk() {
   append_value(content, first_ns_);
   append_value(content, last_ns_);
   append_value(content, std::uint64_t{chunk_.size()});
-  append_value(content,
-               static_cast<std::uint32_t>(crc32_z(
-                   0, reinterpret_cast<const unsigned char*>(chunk_.data()), chunk_.size())));
+  append_value(content, crc32_of(chunk_));
   append_text(content, name_of(packing_));
   append_value(content, std::uint64_t{packed_.size()});
   content.append(packed_);

@@ -175,7 +175,7 @@ std::string run_json(const Map& map,
                      PoseOf pose_of,
                      std::span<const ChangedPlace> changes) {
   const MapSummary summary = summary_of(map);
-  const Json json = {{"version", SETSQUARE_VERSION},
+  const Json json = {{"version", run.version},
                      {"log", run.log},
                      {"format", run.format},
                      {"sensor", run.sensor},

@@ -11,6 +11,7 @@
 #include "setsquare/core/numbered_files.hpp"
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/drawing/png.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/io/maps/map_pgm_yaml.hpp"
 #include "setsquare/io/tables/closures_tsv.hpp"
 #include "setsquare/io/tables/pose_graph_g2o.hpp"
@@ -37,6 +38,10 @@ std::string png_of(const Map& map,
 }
 
 }  // namespace
+
+SaveMapOptions save_options_of(const MapRecord& record) {
+  return {.title = record.title, .pose_of = record.pose_of, .run = record.run};
+}
 
 std::string map_png(const Map& map, int num_threads) {
   const OccupancyGrid grid = occupancy_grid(map, num_threads);
@@ -74,6 +79,9 @@ void make_map_files(
         map_report_html(
             {.title = options.title, .map = map, .grid = &grid, .figures = map_figures(map)}));
   }
+  add(kMapFileName,
+      map_file_bytes(map,
+                     {.title = options.title, .pose_of = options.pose_of, .run = options.run}));
   add("run.json", run_json(map, options.run, options.pose_of, changes));
 }
 

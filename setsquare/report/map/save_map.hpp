@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/map/map.hpp"
 #include "setsquare/report/map/run_json.hpp"
 
@@ -21,11 +22,14 @@ struct SaveMapOptions {
   std::function<void(const std::string& stage)> on_stage = {};
 };
 
+/// How to write a map that was loaded: the files are those that were written with it.
+[[nodiscard]] SaveMapOptions save_options_of(const MapRecord& record);
+
 /// Makes the files of a map one by one and gives each, by its name and bytes, to `add`:
 /// map.pgm and map.yaml (nav2), map.png, trajectory.tum, pieces/N.tum for each piece of track that
 /// is not joined (N from 1), poses.tsv, graph.g2o, closures.tsv and report.html (not for a map
-/// without a graph), run.json. docs/formats.md describes them. Throws ParameterError, and what
-/// `add` throws.
+/// without a graph), map.setsquare (the map itself, see load_map_file()), run.json. docs/formats.md
+/// describes them. Throws ParameterError, and what `add` throws.
 void make_map_files(
     const Map& map,
     const SaveMapOptions& options,

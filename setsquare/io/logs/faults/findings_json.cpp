@@ -4,8 +4,19 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace setsquare {
+namespace {
+
+FindingKind kind_from(const std::string& name) {
+  for (int i = 0; i <= static_cast<int>(FindingKind::kDamagedRecords); ++i) {
+    if (name == to_string(static_cast<FindingKind>(i))) return static_cast<FindingKind>(i);
+  }
+  return FindingKind::kRemark;
+}
+
+}  // namespace
 
 std::string findings_json(const std::vector<LogFinding>& findings) {
   using Json = nlohmann::ordered_json;
@@ -19,6 +30,27 @@ std::string findings_json(const std::vector<LogFinding>& findings) {
   }
   // A laser's name need not be UTF-8: what is not is replaced.
   return array.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::vector<LogFinding> findings_from_json(const std::string& json) {
+  std::vector<LogFinding> findings;
+  const auto array = nlohmann::json::parse(json, nullptr, false);
+  if (!array.is_array()) return findings;
+  const auto text_at = [](const nlohmann::json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+  };
+  for (const auto& object : array) {
+    if (!object.is_object()) continue;
+    LogFinding finding{.kind = kind_from(text_at(object, "kind")),
+                       .sentence = text_at(object, "sentence"),
+                       .option = text_at(object, "option")};
+    if (const auto share = object.find("share"); share != object.end() && share->is_number()) {
+      finding.share = share->get<double>();
+    }
+    findings.push_back(std::move(finding));
+  }
+  return findings;
 }
 
 }  // namespace setsquare

@@ -13,4 +13,7 @@ namespace setsquare {
 /// run.json; the option is null where none mends it.
 [[nodiscard]] std::string findings_json(const std::vector<LogFinding>& findings);
 
+/// The findings of such an array; of a kind that is not known: a remark. Empty where it is none.
+[[nodiscard]] std::vector<LogFinding> findings_from_json(const std::string& json);
+
 }  // namespace setsquare

@@ -1,0 +1,207 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// To begin a new format: raise kFormat (sections.hpp), and let for_each_section() give older
+// formats the sections that they had; the files in tests/io/map_files say whether they are read.
+#include "setsquare/io/map_file/map_file.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <system_error>
+#include <unordered_map>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/save_file.hpp"
+#include "setsquare/io/bytes/seekable_file.hpp"
+#include "setsquare/io/map_file/fields.hpp"
+#include "setsquare/io/map_file/sections.hpp"
+
+namespace setsquare {
+
+namespace map_file {
+
+/// Map::kept_scans with each scan once, whoever shares it.
+struct KeptTable {
+  struct Entry {
+    std::size_t index = 0;  ///< Of Map::scans.
+    std::size_t scan = 0;   ///< Of the table's scans.
+  };
+  std::vector<std::shared_ptr<const Scan>> scans;
+  std::vector<Entry> kept;
+};
+
+template <typename Archive>
+void describe(Archive& archive, Is<KeptTable::Entry> auto& entry) {
+  auto& [index, scan] = entry;
+  archive(index, scan);
+}
+
+}  // namespace map_file
+
+namespace {
+
+using map_file::FieldReader;
+using map_file::FieldWriter;
+using map_file::KeptTable;
+using map_file::Section;
+using map_file::Sections;
+
+KeptTable table_of(const std::vector<KeptScan>& kept_scans) {
+  KeptTable table;
+  std::unordered_map<const Scan*, std::size_t> places;
+  for (const KeptScan& kept : kept_scans) {
+    const auto [place, is_new] = places.try_emplace(kept.scan.get(), table.scans.size());
+    if (is_new) table.scans.push_back(kept.scan);
+    table.kept.push_back({kept.index, place->second});
+  }
+  return table;
+}
+
+/// Nothing is returned where an entry names no scan.
+std::optional<std::vector<KeptScan>> kept_scans_of(const KeptTable& table) {
+  std::vector<KeptScan> kept_scans;
+  kept_scans.reserve(table.kept.size());
+  for (const auto& [index, scan] : table.kept) {
+    if (scan >= table.scans.size()) return std::nullopt;
+    kept_scans.push_back({index, table.scans[scan]});
+  }
+  return kept_scans;
+}
+
+/// The sections in their order, and what is in each; the kept scans stand in their table.
+template <typename SomeMap, typename SomeRecord, typename SomeTable, typename Visit>
+void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const Visit& visit) {
+  auto& [scans,
+         keyframes,
+         headings,
+         frames,
+         pieces,
+         sessions,
+         track,
+         closures,
+         open_stretches,
+         undecided_turns,
+         scanners,
+         gyro,
+         odometry,
+         sweep,
+         num_with_odometry,
+         graph,
+         kept_scans,
+         audit,
+         doubts] = map;
+  static_cast<void>(kept_scans);
+  visit("RUNS", record);
+  visit("POSE", scans);
+  visit("KEYS", keyframes, headings, frames);
+  visit("TRAC", pieces, open_stretches, undecided_turns);
+  visit("SESS", sessions, track);
+  visit("CLOS", closures);
+  visit("GRAF", graph);
+  visit("SENS", scanners, gyro, odometry, sweep, num_with_odometry);
+  visit("AUDI", audit, doubts);
+  visit("SCAN", table.scans, table.kept);
+}
+
+/// The sections of a file, each to be taken once.
+class UnreadSections {
+ public:
+  UnreadSections(Sections file, const std::string& name)
+      : sections_(std::move(file.sections)), name_(name) {}
+
+  /// Reads the fields of a section. Throws FormatError where it is not there or is not what it
+  /// should be.
+  template <typename... Fields>
+  void read(const char* id, Fields&... fields) {
+    const auto found = std::ranges::find(sections_, id, &Section::id);
+    if (found == sections_.end()) fail(fmt::format("has no section {}", id));
+    FieldReader reader(found->bytes);
+    reader(fields...);
+    if (const std::string fault = reader.fault(); !fault.empty()) {
+      fail(fmt::format("section {} holds {}", id, fault));
+    }
+    sections_.erase(found);
+  }
+
+  /// Throws FormatError where one is left that is required, or was read already.
+  void require_none_left(const auto& is_known) const {
+    for (const Section& section : sections_) {
+      if (is_known(section.id)) fail(fmt::format("has section {} twice", section.id));
+      if (section.is_required) {
+        fail(fmt::format("has a section {} that this Setsquare does not know: a newer one wrote it",
+                         section.id));
+      }
+    }
+  }
+
+  [[noreturn]] void fail(const std::string& reason) const { throw FormatError(name_, "", reason); }
+
+ private:
+  std::vector<Section> sections_;
+  const std::string& name_;
+};
+
+std::string bytes_of_regular_file(const std::string& path) {
+  const SeekableFile file(path);
+  std::string bytes(file.size(), '\0');
+  bytes.resize(file.read_at(0, bytes));
+  return bytes;
+}
+
+}  // namespace
+
+std::string map_file_at(const std::string& path) {
+  const std::filesystem::path named(path);
+  std::error_code ignored;
+  return std::filesystem::is_directory(named, ignored) ? (named / kMapFileName).string() : path;
+}
+
+std::string map_file_bytes(const Map& map, const MapRecord& record) {
+  Sections file;
+  const KeptTable table = table_of(map.kept_scans);
+  for_each_section(map, record, table, [&](const char* id, const auto&... fields) {
+    FieldWriter writer;
+    writer(fields...);
+    file.sections.push_back({id, true, writer.take()});
+  });
+  return map_file::bytes_from_sections(file);
+}
+
+void save_map_file(const Map& map, const std::string& path, const MapRecord& record) {
+  save_file(path, map_file_bytes(map, record));
+}
+
+SavedMap map_from_bytes(std::string_view bytes, const std::string& name) {
+  UnreadSections sections(map_file::sections_from_bytes(bytes, name), name);
+  SavedMap saved;
+  KeptTable table;
+  std::vector<std::string> known;
+  for_each_section(saved.map, saved.record, table, [&](const char* id, auto&... fields) {
+    sections.read(id, fields...);
+    known.emplace_back(id);
+  });
+  sections.require_none_left(
+      [&](const std::string& id) { return std::ranges::find(known, id) != known.end(); });
+  auto kept_scans = kept_scans_of(table);
+  if (!kept_scans) sections.fail("section SCAN names a scan that it does not hold");
+  saved.map.kept_scans = std::move(*kept_scans);
+  try {
+    validate(saved.map);
+  } catch (const ParameterError& error) {
+    sections.fail(std::string("holds no map: ") + error.what());
+  }
+  return saved;
+}
+
+SavedMap load_map_file(const std::string& path) {
+  const std::string file = map_file_at(path);
+  return map_from_bytes(bytes_of_regular_file(file), file);
+}
+
+bool is_map_file(std::string_view beginning) { return beginning.starts_with(map_file::kMagic); }
+
+}  // namespace setsquare
