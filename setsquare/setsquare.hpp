@@ -13,6 +13,8 @@
 //   save_map(mapped.map, "out", save_options_of(mapped));
 //
 //   const SavedMap saved = load_map_file("out");  // What map.setsquare there holds.
+//   Mapper next_day(saved.map);                   // Goes on with it.
+//   const SavedMap both = merge_map_files({"out", "other_wing"});
 //
 // Link setsquare::setsquare. To match one scan with many, `prepare` each once.
 #pragma once
@@ -26,5 +28,6 @@
 #include "setsquare/mapping/mapper.hpp"            // IWYU pragma: export
 #include "setsquare/matching/scan_matcher.hpp"     // IWYU pragma: export
 #include "setsquare/pipeline/map_log.hpp"          // IWYU pragma: export
+#include "setsquare/pipeline/merge_maps.hpp"       // IWYU pragma: export
 #include "setsquare/report/map/save_map.hpp"       // IWYU pragma: export
 #include "setsquare/scan/scan.hpp"                 // IWYU pragma: export
