@@ -18,6 +18,7 @@ void add_evaluate(CLI::App& application);
 void add_experiment(CLI::App& application);
 void add_explain(CLI::App& application);
 void add_match(CLI::App& application);
+void add_merge(CLI::App& application);
 void add_reference(CLI::App& application);
 void add_render(CLI::App& application);
 void add_simulate(CLI::App& application);

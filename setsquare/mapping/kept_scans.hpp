@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -36,6 +37,26 @@ class KeptScans {
     }
     last->second = tracked.T_odom_body;
     kept_.push_back({index, share()});
+  }
+
+  /// A scan that a map kept before; those of the scans before it are not kept unless they were.
+  void append(std::size_t index, std::shared_ptr<const Scan> scan) {
+    kept_.push_back({index, std::move(scan)});
+  }
+
+  /// The scans that come next are of another log, and begin with the one of this index.
+  void begin_log(std::size_t index) {
+    T_odom_last_.clear();
+    num_scans_ = index;
+  }
+
+  /// Drops those of the scans from an index on.
+  void forget_from(std::size_t index) { kept_.resize(num_before(index)); }
+
+  /// Kept scans of an index less than this.
+  [[nodiscard]] std::size_t num_before(std::size_t index) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(kept_, index, {}, &KeptScan::index) -
+                                    kept_.begin());
   }
 
   [[nodiscard]] const std::vector<KeptScan>& kept() const { return kept_; }

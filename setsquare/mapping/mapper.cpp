@@ -6,17 +6,14 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/headings/proposals.hpp"
-#include "setsquare/mapping/kept_scans.hpp"
-#include "setsquare/mapping/map_maker.hpp"
+#include "setsquare/mapping/growing_track.hpp"
+#include "setsquare/mapping/known_maps.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/robot_part_search.hpp"
 #include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/sweep_search.hpp"
-#include "setsquare/mapping/turn_checks.hpp"
 #include "setsquare/mapping/unjudged_inputs.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
-#include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/odometry_watch.hpp"
 #include "setsquare/tracking/scan_tracker.hpp"
 
@@ -32,15 +29,15 @@ void require_finite(const Pose2& pose, const char* name) {
 
 class Mapper::Parts {
  public:
-  explicit Parts(const MapperParams& params)
+  /// `known`: a map to go on with; may be null.
+  Parts(const MapperParams& params, std::shared_ptr<const KnownMaps> known)
       : params_(params),
+        known_(std::move(known)),
         sweeps_(params.tracker),
         robot_parts_(params.leaves_out_robot_parts),
         tracker_(params.tracker),
         scanners_(params.mounting),
-        uncertainty_(params.motion),
-        turn_checks_(params.turns),
-        closer_(params.closing) {
+        track_(known_ ? known_->track : GrowingTrack(params)) {
     params_.validate();
   }
 
@@ -55,7 +52,7 @@ class Mapper::Parts {
   /// stays.
   [[nodiscard]] std::unique_ptr<Parts> mapped_again(TrackedPose& last);
   [[nodiscard]] Map finish() const;
-  [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
+  [[nodiscard]] std::size_t num_scans() const { return track_.num_scans(); }
 
  private:
   /// add_turn_rate() of a rate that the search for the sweep time has seen.
@@ -67,28 +64,20 @@ class Mapper::Parts {
   TrackedPose map(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
   /// The same of a scan without isolated returns and of odometry that is one.
   TrackedPose add_cleared(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
-  /// The scan that was tracked last. Where several scanners leave keyframes, each is one of as many
-  /// that show a place: the same walls (share_place) and one step of the track.
-  void add_keyframe(const Scan& scan);
   /// What the log's sensors turned out to be, whatever is mapped.
   void add_sensors(Map& map) const;
 
   MapperParams params_;
+  std::shared_ptr<const KnownMaps> known_;
   SweepSearch sweeps_;
   RobotPartSearch robot_parts_;
   UnjudgedInputs unjudged_;
   OdometryWatch odometry_;
   ScanTracker tracker_;
   Scanners scanners_;
-  MotionUncertainty uncertainty_;
-  TurnChecks turn_checks_;
-  LoopCloser closer_;
-  std::vector<TrackedScan> scans_;
+  GrowingTrack track_;
+  std::size_t num_tracked_ = 0;
   std::size_t num_with_odometry_ = 0;
-  KeptScans kept_;
-  KeyframeTrack track_;
-  std::vector<HeadingEvidence> evidence_;
-  std::size_t num_closed_ = 0;  ///< Keyframes when loops were last looked for.
 };
 
 TrackedPose Mapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
@@ -116,7 +105,7 @@ std::unique_ptr<Mapper::Parts> Mapper::Parts::mapped_again(TrackedPose& last) {
   const bool has_other_scans = !inputs.empty();
   if (!has_other_scans) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
   if (inputs.empty()) return nullptr;
-  auto again = std::make_unique<Parts>(params_);
+  auto again = std::make_unique<Parts>(params_, known_);
   again->sweeps_ = sweeps_;
   again->robot_parts_ = robot_parts_;
   if (!has_other_scans) {
@@ -141,73 +130,32 @@ TrackedPose Mapper::Parts::add_cleared(const Scan& scan,
   }
   num_with_odometry_ += T_wheels_base.has_value();
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
-  const double open_sigma_m = uncertainty_.add(tracked, {scan.scanner, scan.stamp});
-  scans_.push_back(
-      {scan.stamp, tracked, scan.T_base_sensor, open_sigma_m, uncertainty_.open_turn_sigma_rad()});
-  const Scan& placed = tracker_.deskewed_scan() ? *tracker_.deskewed_scan() : scan;
-  kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
-    if (!tracked.is_keyframe) return std::make_shared<const Scan>(placed);
-    const KeyframePtr& keyframe = tracker_.submap().back();
-    return {keyframe, &keyframe->scan};
-  });
-  if (!tracked.is_keyframe) return tracked;
-
-  add_keyframe(placed);
-  if (track_.size() >= next_closing(num_closed_, params_)) {
-    const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
-    close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
-    num_closed_ = track_.size();
-  }
+  track_.add(scan, tracked, tracker_);
+  ++num_tracked_;
   return tracked;
 }
 
-void Mapper::Parts::add_keyframe(const Scan& scan) {
-  const TrackedPose& tracked = scans_.back().tracked;
-  const bool is_first = track_.keyframes.empty();
-  track_.keyframes.push_back(tracker_.submap().back());
-  const double share_of_place = 1.0 / static_cast<double>(tracker_.num_scanners());
-  track_.motions.push_back(uncertainty_.take(share_of_place));
-  const bool is_restart = tracked.is_restart && !is_first;
-  const bool is_tied = track_.motions.back().has_odometry;
-  const std::size_t stretch = is_first ? 0 : track_.stretches.back();
-  const std::size_t piece = is_first ? 0 : track_.pieces.back();
-  track_.stretches.push_back(stretch + (is_restart ? 1 : 0));
-  track_.pieces.push_back(piece + (is_restart && !is_tied ? 1 : 0));
-
-  evidence_.push_back(
-      {.tracked_heading_rad = tracked.T_odom_sensor.theta_rad,
-       .step_sigma_rad = std::sqrt(track_.motions.back().rotation_rad2),
-       .proposals = heading_proposals(scan, params_.direction, params_.confident_margin)});
-  share_place(share_of_place, evidence_.back());
-}
-
 Map Mapper::Parts::finish() const {
-  if (track_.size() == 0) {
-    Map map = assemble_map({.scans = scans_, .kept_scans = kept_.kept(), .track = track_});
-    add_sensors(map);
-    return map;
-  }
-  const TrackedLog log{.scans = scans_,
-                       .kept_scans = kept_.kept(),
-                       .track = track_,
-                       .evidence = evidence_,
-                       .turn_checks = turn_checks_,
-                       .closer = closer_,
-                       .add_sensors = [this](Map& map) { add_sensors(map); }};
-  return MapMaker(log, params_).make();
+  return track_.make([this](Map& map) { add_sensors(map); });
 }
 
 void Mapper::Parts::add_sensors(Map& map) const {
+  if (known_) write_sensors(*known_, map);
+  if (known_ && num_tracked_ == 0) return;
   map.scanners = scanners_.results();
   map.gyro = tracker_.gyro();
   map.odometry = tracker_.odometry();
   map.odometry.num_ignored += odometry_.num_ignored();
   map.sweep = sweeps_.report();
-  map.num_with_odometry = num_with_odometry_;
+  map.num_with_odometry += num_with_odometry_;
 }
 
 Mapper::Mapper() : Mapper(MapperParams{}) {}
-Mapper::Mapper(const MapperParams& params) : parts_(std::make_unique<Parts>(params)) {}
+Mapper::Mapper(const MapperParams& params) : parts_(std::make_unique<Parts>(params, nullptr)) {}
+Mapper::Mapper(const Map& map, const MapperParams& params)
+    : parts_(std::make_unique<Parts>(
+          params, std::make_shared<const KnownMaps>(known_maps({&map, 1}, params)))) {}
+Mapper::Mapper(const Map& map) : Mapper(map, MapperParams{}) {}
 Mapper::~Mapper() = default;
 Mapper::Mapper(Mapper&&) noexcept = default;
 Mapper& Mapper::operator=(Mapper&&) noexcept = default;
@@ -225,5 +173,14 @@ void Mapper::add_turn_rate(Timestamp stamp, double turn_rad_per_s) {
 Map Mapper::finish() const { return parts_->finish(); }
 
 std::size_t Mapper::num_scans() const { return parts_->num_scans(); }
+
+Map merge(std::span<const Map> maps, const MapperParams& params) {
+  if (maps.empty()) throw ParameterError("maps", "must be one at least");
+  KnownMaps known = known_maps(maps, params);
+  known.track.date_by_stamps();
+  return known.track.make([&](Map& map) { write_sensors(known, map); });
+}
+
+Map merge(std::span<const Map> maps) { return merge(maps, MapperParams{}); }
 
 }  // namespace setsquare

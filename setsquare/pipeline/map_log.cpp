@@ -60,7 +60,7 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
   params.num_threads = options.num_threads;
   params.audit.is_on = options.is_audited;
   params.tracker.deskew.trial.is_on = !options.log.sweep_time_s;  // What the user says holds.
-  Mapper mapper(params);
+  Mapper mapper = options.known_map ? Mapper(*options.known_map, params) : Mapper(params);
   feed(reader, watcher, mapped, [&](const LogRecord& record) {
     if (record.kind == RecordKind::kTurnRate) {
       mapper.add_turn_rate(record.stamp, record.turn_rad_per_s.value_or(0.0));
@@ -75,9 +75,12 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
 /// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
 void require_something_mapped(const MappedLog& mapped) {
   const MapSummary summary = summary_of(mapped.map);
-  if (summary.num_lost < summary.num_scans) return;
+  const Map* const known = mapped.options.known_map.get();
+  const bool has_grown = known == nullptr || mapped.map.scans.size() > known->scans.size();
+  if (summary.num_lost < summary.num_scans && has_grown) return;
   std::string reason =
-      summary.num_scans == 0
+      !has_grown ? "none of its scans could be mapped: too few returns within range"
+      : summary.num_scans == 0
           ? "none of its scans is of the sensor named first, by which the others are judged"
           : fmt::format("none of its {} scans could be mapped: too few returns within range",
                         summary.num_scans);
@@ -111,6 +114,9 @@ MappedLog map_log(LogReader& reader,
                   const MapLogWatcher& watcher) {
   if (options.preset == Preset::kPaper && names_several(options.log.sensor)) {
     throw ParameterError("sensor", "the preset \"paper\" maps one scanner");
+  }
+  if (options.preset == Preset::kPaper && options.known_map) {
+    throw ParameterError("continue", "the preset \"paper\" cannot go on with a map");
   }
   MappedLog mapped;
   mapped.name = name;
