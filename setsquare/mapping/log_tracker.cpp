@@ -53,14 +53,18 @@ void LogTracker::turn(Timestamp stamp, double turn_rad_per_s) {
 TrackedPose LogTracker::track(const Scan& scan,
                               const std::optional<Pose2>& T_wheels_base,
                               TrackSteps& steps) {
-  scan.validate();
-  require_finite(scan.T_base_sensor, "T_base_sensor");
-  if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
+  require_valid(scan, T_wheels_base);
   steps.begins_again = false;
   steps.steps.clear();
   sweeps_.add(scan, T_wheels_base);
   robot_parts_.add(scan, T_wheels_base);
   return place(scan, T_wheels_base, steps.steps);
+}
+
+void LogTracker::require_valid(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
+  scan.validate();
+  require_finite(scan.T_base_sensor, "T_base_sensor");
+  if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
 }
 
 TrackedPose LogTracker::place(const Scan& scan,

@@ -73,6 +73,9 @@ class LogTracker {
 
   [[nodiscard]] SensorReports sensors() const;
 
+  /// Throws ParameterError where add() would.
+  static void require_valid(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
+
   // The same in two parts, for whoever cannot wait until all is tracked again.
 
   /// add() of a scan that is tracked as those before.
