@@ -68,6 +68,9 @@ struct MappedLog {
                                 const MapLogOptions& options = {},
                                 const MapLogWatcher& watcher = {});
 
+/// A map of nothing would replace the last one: throws FileError with what is wrong with the log.
+void require_something_mapped(const MappedLog& mapped);
+
 /// How save_map() writes it, so that the files are those of `setsquare map` with the same options.
 [[nodiscard]] SaveMapOptions save_options_of(const MappedLog& mapped,
                                              PoseOf pose_of = PoseOf::kBase);
