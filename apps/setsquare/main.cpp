@@ -21,6 +21,7 @@ void add_subcommands(CLI::App& application) {
   setsquare::app::add_match(application);
   setsquare::app::add_explain(application);
   setsquare::app::add_simulate(application);
+  setsquare::app::add_live(application);
   setsquare::app::add_experiment(application);
   setsquare::app::add_reference(application);
 }

@@ -12,6 +12,7 @@ namespace setsquare::app {
 void add_audit(CLI::App& application);
 void add_convert(CLI::App& application);
 void add_info(CLI::App& application);
+void add_live(CLI::App& application);
 void add_localize(CLI::App& application);
 void add_map(CLI::App& application);
 void add_evaluate(CLI::App& application);

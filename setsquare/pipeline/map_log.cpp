@@ -7,42 +7,26 @@
 #include <filesystem>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/faults/find_faults.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
 #include "setsquare/mapping/mapper.hpp"
-#include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 #include "setsquare/pipeline/chosen_scans.hpp"
+#include "setsquare/pipeline/log_intake.hpp"
 #include "setsquare/pipeline/run_record.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Surveys the log and feeds its scans and turn rates to a mapper: `add` takes a record.
+/// Reads the log to its end and feeds its scans and turn rates to a mapper: `add` takes a record.
 template <typename Add>
 void feed(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped, Add add) {
-  LogSurvey survey;
-  ChosenScans chosen(mapped.options.log.sensor);
+  LogIntake intake(mapped.options);
   while (const LogRecord* record = reader.next()) {
-    survey.add(*record);
-    if (record->kind == RecordKind::kTurnRate) {
-      add(*record);
-    } else if (record->kind == RecordKind::kScan && chosen.takes(*record, reader.front_sensor())) {
-      mapped.scanner_names.try_emplace(record->scan.scanner, record->sensor);
-      add(*record);
-    }
+    if (intake.takes(*record, reader)) add(*record);
     if (watcher.on_progress) watcher.on_progress(reader.fraction_read());
   }
-  mapped.problems = reader.problems();
-  for (const auto& [name, other] : chosen.repeated()) {
-    mapped.problems.remarks.push_back("sensor " + name + " repeats the sweeps of " + other +
-                                      ": left out");
-  }
-  for (const std::string& name : chosen.absent()) {
-    mapped.problems.remarks.push_back("no scan of sensor " + name);
-  }
-  mapped.findings = find_faults(survey, mapped.problems);
+  intake.tell(reader, mapped);
 }
 
 void map_by_paper(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
@@ -56,10 +40,7 @@ void map_by_paper(LogReader& reader, const MapLogWatcher& watcher, MappedLog& ma
 
 void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
   const MapLogOptions& options = mapped.options;
-  MapperParams params;
-  params.num_threads = options.num_threads;
-  params.audit.is_on = options.is_audited;
-  params.tracker.deskew.trial.is_on = !options.log.sweep_time_s;  // What the user says holds.
+  const MapperParams params = mapper_params_of(options);
   Mapper mapper = options.known_map ? Mapper(*options.known_map, params) : Mapper(params);
   feed(reader, watcher, mapped, [&](const LogRecord& record) {
     if (record.kind == RecordKind::kTurnRate) {
@@ -72,7 +53,8 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
   mapped.map = mapper.finish();
 }
 
-/// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
+}  // namespace
+
 void require_something_mapped(const MappedLog& mapped) {
   const MapSummary summary = summary_of(mapped.map);
   const Map* const known = mapped.options.known_map.get();
@@ -87,8 +69,6 @@ void require_something_mapped(const MappedLog& mapped) {
   for (const LogFinding& finding : mapped.findings) reason += "; " + text_of(finding);
   throw FileError(mapped.name, reason);
 }
-
-}  // namespace
 
 std::string name_of_logs(const std::vector<std::string>& paths) {
   return paths.size() == 1 ? paths.front()
@@ -127,8 +107,6 @@ MappedLog map_log(LogReader& reader,
   } else {
     map_by_default(reader, watcher, mapped);
   }
-  mapped.format = reader.format();
-  mapped.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
   require_something_mapped(mapped);
   return mapped;
 }

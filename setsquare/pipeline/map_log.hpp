@@ -73,6 +73,9 @@ struct MappedLog {
                                 const MapLogOptions& options = {},
                                 const MapLogWatcher& watcher = {});
 
+/// A map of nothing would replace the last one: throws FileError with what is wrong with the log.
+void require_something_mapped(const MappedLog& mapped);
+
 /// What a map file keeps of it beside the map: save_map_file(mapped.map, path,
 /// map_record_of(mapped)).
 [[nodiscard]] MapRecord map_record_of(const MappedLog& mapped, PoseOf pose_of = PoseOf::kBase);

@@ -1,18 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-#include "setsquare/mapping/growing_track.hpp"
+#include "setsquare/mapping/growing_map.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <functional>
+#include <span>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/headings/proposals.hpp"
-#include "setsquare/mapping/map_maker.hpp"
 
 namespace setsquare {
 namespace {
@@ -83,96 +82,128 @@ std::vector<std::size_t> pieces_of_keyframes(const Map& map) {
   return pieces;
 }
 
+SensorReports sensors_of(const Map& map) {
+  return {.scanners = map.scanners,
+          .gyro = map.gyro,
+          .odometry = map.odometry,
+          .sweep = map.sweep,
+          .num_with_odometry = map.num_with_odometry};
+}
+
+void write_sensors(const SensorReports& sensors, Map& map) {
+  map.scanners = sensors.scanners;
+  map.gyro = sensors.gyro;
+  map.odometry = sensors.odometry;
+  map.sweep = sensors.sweep;
+  map.num_with_odometry = sensors.num_with_odometry;
+}
+
+/// Kept scans of an index less than this.
+std::size_t num_kept_before(std::span<const KeptScan> kept, std::size_t index) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(kept, index, {}, &KeptScan::index) -
+                                  kept.begin());
+}
+
 }  // namespace
 
-GrowingTrack::GrowingTrack(const MapperParams& params)
-    : params_(params),
-      uncertainty_(params.motion),
-      turn_checks_(params.turns),
-      closer_(params.closing) {}
+GrowingMap::GrowingMap(const MapperParams& params)
+    : params_(params), turn_checks_(params.turns), closer_(params.closing) {}
 
-void GrowingTrack::begin_session() { is_session_waiting_ = true; }
+// --- Sessions ------------------------------------------------------------------------------------
 
-bool GrowingTrack::is_last_session_empty() const {
+bool GrowingMap::is_last_session_empty() const {
   if (sessions_.empty()) return false;
   return track_.size() == 0 || track_.keyframes.back()->scan_index < sessions_.back().first_scan;
 }
 
-void GrowingTrack::open_session() {
-  is_session_waiting_ = false;
-  if (is_last_session_empty()) {
-    scans_.resize(sessions_.back().first_scan);
-    kept_.forget_from(scans_.size());
-    sessions_.pop_back();
+void GrowingMap::forget_last_session() {
+  const std::size_t first_scan = sessions_.back().first_scan;
+  sessions_.pop_back();
+  scans_.resize(first_scan);
+  kept_scans_.resize(num_kept_before(kept_scans_, first_scan));
+  std::size_t num_keyframes = track_.size();
+  while (num_keyframes > 0 && track_.keyframes[num_keyframes - 1]->scan_index >= first_scan) {
+    --num_keyframes;
   }
-  uncertainty_ = MotionUncertainty(params_.motion);
-  kept_.begin_log(scans_.size());
+  track_.keyframes.resize(num_keyframes);
+  track_.motions.resize(num_keyframes);
+  track_.stretches.resize(num_keyframes);
+  track_.pieces.resize(num_keyframes);
+  std::erase_if(track_.session_begins, [&](std::size_t k) { return k >= num_keyframes; });
+  shares_of_place_.resize(num_keyframes);
+  evidence_.resize(num_keyframes);
+  if (num_closed_ <= num_keyframes) return;
+  turn_checks_ = TurnChecks(params_.turns);
+  closer_ = LoopCloser(params_.closing);
+  num_closed_ = 0;
+}
+
+void GrowingMap::open_session() {
+  if (is_last_session_empty()) forget_last_session();
+  is_session_waiting_ = false;
   std::size_t recency = 0;
   for (const MapSession& session : sessions_) recency = std::max(recency, session.recency + 1);
   sessions_.push_back({.first_scan = scans_.size(), .recency = recency, .search = {}});
 }
 
-void GrowingTrack::add(const Scan& scan, const TrackedPose& tracked, const ScanTracker& tracker) {
-  if (is_session_waiting_) open_session();
-  const double open_sigma_m = uncertainty_.add(tracked, {scan.scanner, scan.stamp});
-  const std::size_t index = scans_.size();
-  scans_.push_back(
-      {scan.stamp, tracked, scan.T_base_sensor, open_sigma_m, uncertainty_.open_turn_sigma_rad()});
-  ++sessions_.back().num_scans;
-  KeyframePtr keyframe;
-  if (tracked.is_keyframe) {
-    keyframe = tracker.submap().back();
-    if (keyframe->scan_index != index) {
-      Keyframe numbered = *keyframe;
-      numbered.scan_index = index;
-      keyframe = std::make_shared<const Keyframe>(std::move(numbered));
-    }
-  }
-  const Scan& placed = tracker.deskewed_scan() ? *tracker.deskewed_scan() : scan;
-  kept_.add(tracked, scan.scanner, [&]() -> std::shared_ptr<const Scan> {
-    if (!keyframe) return std::make_shared<const Scan>(placed);
-    return {keyframe, &keyframe->scan};
-  });
-  if (!keyframe) return;
+// --- The log that is tracked ---------------------------------------------------------------------
 
-  const double share_of_place = 1.0 / static_cast<double>(tracker.num_scanners());
-  TrackedMotion motion{.T_odom_body = tracked.T_odom_body,
-                       .covariance = uncertainty_.take(share_of_place),
-                       .share_of_place = share_of_place};
-  const bool begins_piece = tracked.is_restart && !motion.covariance.has_odometry;
-  add_keyframe(std::move(keyframe), {motion, tracked.is_restart, begins_piece});
+void GrowingMap::add(TrackSteps&& steps) {
+  if (steps.begins_again && !is_session_waiting_) {
+    forget_last_session();
+    is_session_waiting_ = true;
+  }
+  for (TrackStep& step : steps.steps) add(std::move(step));
 }
 
-void GrowingTrack::add_keyframe(KeyframePtr keyframe, Step step) {
+void GrowingMap::add(TrackStep&& step) {
+  if (is_session_waiting_) open_session();
+  const std::size_t index = scans_.size();
+  scans_.push_back(step.scan);
+  ++sessions_.back().num_scans;
+  if (step.keyframe && step.keyframe->keyframe->scan_index != index) {
+    // Tracking counts from the begin of its log.
+    Keyframe numbered = *step.keyframe->keyframe;
+    numbered.scan_index = index;
+    step.keyframe->keyframe = std::make_shared<const Keyframe>(std::move(numbered));
+    step.kept = {step.keyframe->keyframe, &step.keyframe->keyframe->scan};
+  }
+  if (step.kept) kept_scans_.push_back({index, std::move(step.kept)});
+  if (!step.keyframe) return;
+  const bool is_restart = step.scan.tracked.is_restart;
+  const bool is_tied = step.keyframe->motion.has_odometry;
+  add_keyframe(std::move(*step.keyframe), {is_restart, is_restart && !is_tied});
+}
+
+void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
   const bool is_first = track_.size() == 0;
   const bool begins_session =
       is_first || track_.keyframes.back()->scan_index < sessions_.back().first_scan;
   if (begins_session && !is_first) {
     track_.session_begins.push_back(track_.size());
     const std::size_t open_stretch = track_.motions.back().open_stretch + 1;
-    step.motion.covariance = unknown_motion(params_.motion);
-    step.motion.covariance.open_stretch = open_stretch;
-    step.begins_stretch = step.begins_piece = true;
+    tracked.motion = unknown_motion(params_.motion);
+    tracked.motion.open_stretch = open_stretch;
+    begins = {true, true};
   } else if (!track_.session_begins.empty()) {
-    step.motion.covariance.open_stretch +=
-        track_.motions[track_.session_begins.back()].open_stretch;
+    tracked.motion.open_stretch += track_.motions[track_.session_begins.back()].open_stretch;
   }
   const std::size_t stretch = is_first ? 0 : track_.stretches.back();
   const std::size_t piece = is_first ? 0 : track_.pieces.back();
-  track_.keyframes.push_back(keyframe);
-  track_.motions.push_back(step.motion.covariance);
-  track_.stretches.push_back(stretch + (!is_first && step.begins_stretch ? 1 : 0));
-  track_.pieces.push_back(piece + (!is_first && step.begins_piece ? 1 : 0));
-  shares_of_place_.push_back(step.motion.share_of_place);
-  evidence_.push_back({.tracked_heading_rad = keyframe->T_odom_sensor.theta_rad,
-                       .step_sigma_rad = std::sqrt(step.motion.covariance.rotation_rad2),
+  track_.keyframes.push_back(tracked.keyframe);
+  track_.motions.push_back(tracked.motion);
+  track_.stretches.push_back(stretch + (!is_first && begins.stretch ? 1 : 0));
+  track_.pieces.push_back(piece + (!is_first && begins.piece ? 1 : 0));
+  shares_of_place_.push_back(tracked.share_of_place);
+  evidence_.push_back({.tracked_heading_rad = tracked.keyframe->T_odom_sensor.theta_rad,
+                       .step_sigma_rad = std::sqrt(tracked.motion.rotation_rad2),
                        .proposals = heading_proposals(
-                           keyframe->scan, params_.direction, params_.confident_margin)});
-  share_place(step.motion.share_of_place, evidence_.back());
+                           tracked.keyframe->scan, params_.direction, params_.confident_margin)});
+  share_place(tracked.share_of_place, evidence_.back());
   close_while_growing();
 }
 
-void GrowingTrack::close_while_growing() {
+void GrowingMap::close_while_growing() {
   if (!track_.session_begins.empty()) return;
   if (track_.size() < next_closing(num_closed_, params_)) return;
   const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
@@ -180,7 +211,9 @@ void GrowingTrack::close_while_growing() {
   num_closed_ = track_.size();
 }
 
-bool GrowingTrack::holds(const Map& map, const MapSession& session) const {
+// --- Maps that are gone on with ------------------------------------------------------------------
+
+bool GrowingMap::holds(const Map& map, const MapSession& session) const {
   return std::ranges::any_of(sessions_, [&](const MapSession& known) {
     if (known.num_scans != session.num_scans) return false;
     for (std::size_t i = 0; i < session.num_scans; ++i) {
@@ -194,7 +227,7 @@ bool GrowingTrack::holds(const Map& map, const MapSession& session) const {
   });
 }
 
-void GrowingTrack::add(const Map& map) {
+void GrowingMap::add(const Map& map) {
   require_track(map);
   const bool is_first = sessions_.empty();
   for (const MapSession& session : map.sessions) {
@@ -202,7 +235,12 @@ void GrowingTrack::add(const Map& map) {
     add_session(map, session);
     if (is_first) sessions_.back().recency = session.recency;
   }
-  begin_session();
+  is_session_waiting_ = true;
+  if (known_sensors_) {
+    known_sensors_->num_with_odometry += map.num_with_odometry;
+  } else {
+    known_sensors_ = sensors_of(map);
+  }
   if (!is_first) return;
   const auto& begins = track_.session_begins;
   track_.num_known = begins.empty() ? track_.size() : begins.front();
@@ -212,8 +250,7 @@ void GrowingTrack::add(const Map& map) {
   }
 }
 
-void GrowingTrack::add_session(const Map& map, const MapSession& session) {
-  begin_session();
+void GrowingMap::add_session(const Map& map, const MapSession& session) {
   open_session();
   const std::size_t end = session.first_scan + session.num_scans;
   ScansByIndex kept;
@@ -230,11 +267,11 @@ void GrowingTrack::add_session(const Map& map, const MapSession& session) {
   sessions_.back().num_scans = session.num_scans;
   add_keyframes(map, session, kept);
   for (const auto& [index, scan] : kept) {
-    kept_.append(index - session.first_scan + sessions_.back().first_scan, scan);
+    kept_scans_.push_back({index - session.first_scan + sessions_.back().first_scan, scan});
   }
 }
 
-void GrowingTrack::add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept) {
+void GrowingMap::add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept) {
   const std::size_t first = keyframe_at(map, session.first_scan);
   const std::size_t end = keyframe_at(map, session.first_scan + session.num_scans);
   std::vector<KeyframePtr> keyframes(end - first);
@@ -257,18 +294,18 @@ void GrowingTrack::add_keyframes(const Map& map, const MapSession& session, Scan
     const KeyframePtr& keyframe = keyframes[k - first];
     if (!keyframe) throw ParameterError("map", "does not keep the scan of a keyframe");
     kept[map.keyframes[k]] = {keyframe, &keyframe->scan};
-    Step step{.motion = motions[k]};
+    MotionCovariance motion = motions[k].covariance;
+    Begins begins;
     if (k > first) {
-      step.begins_stretch = motions[k].stretch != motions[k - 1].stretch;
-      step.begins_piece = pieces[k] != pieces[k - 1];
+      begins = {motions[k].stretch != motions[k - 1].stretch, pieces[k] != pieces[k - 1]};
       // Open stretches are counted from the begin of their session.
-      if (first > 0) step.motion.covariance.open_stretch -= motions[first].covariance.open_stretch;
+      if (first > 0) motion.open_stretch -= motions[first].covariance.open_stretch;
     }
-    add_keyframe(keyframe, step);
+    add_keyframe({keyframe, motion, motions[k].share_of_place}, begins);
   }
 }
 
-void GrowingTrack::date_by_stamps() {
+void GrowingMap::date_by_stamps() {
   struct Span {
     Timestamp first;
     Timestamp last;
@@ -291,13 +328,21 @@ void GrowingTrack::date_by_stamps() {
   for (std::size_t i = 0; i < spans.size(); ++i) sessions_[spans[i].session].recency = i;
 }
 
-Map GrowingTrack::make(const std::function<void(Map&)>& add_sensors) const {
+// --- The map -------------------------------------------------------------------------------------
+
+Map GrowingMap::make(const SensorReports& sensors) const {
+  SensorReports told = sensors;
+  if (known_sensors_ && is_session_waiting_) {
+    told = *known_sensors_;
+  } else if (known_sensors_) {
+    told.num_with_odometry += known_sensors_->num_with_odometry;
+  }
   std::span<const MapSession> sessions = sessions_;
   std::span<const TrackedScan> scans = scans_;
-  std::span<const KeptScan> kept = kept_.kept();
+  std::span<const KeptScan> kept = kept_scans_;
   if (sessions.size() > 1 && is_last_session_empty()) {
     scans = scans.first(sessions.back().first_scan);
-    kept = kept.first(kept_.num_before(scans.size()));
+    kept = kept.first(num_kept_before(kept, scans.size()));
     sessions = sessions.first(sessions.size() - 1);
   }
   if (track_.size() == 0) {
@@ -306,7 +351,7 @@ Map GrowingTrack::make(const std::function<void(Map&)>& add_sensors) const {
                             .track = track_,
                             .shares_of_place = shares_of_place_,
                             .sessions = sessions});
-    add_sensors(map);
+    write_sensors(told, map);
     return map;
   }
   const TrackedLog log{.scans = scans,
@@ -318,7 +363,7 @@ Map GrowingTrack::make(const std::function<void(Map&)>& add_sensors) const {
                        .evidence = evidence_,
                        .turn_checks = turn_checks_,
                        .closer = closer_,
-                       .add_sensors = add_sensors};
+                       .add_sensors = [&](Map& map) { write_sensors(told, map); }};
   return MapMaker(log, params_).make();
 }
 
