@@ -7,6 +7,8 @@
 #include <random>
 #include <sstream>
 
+#include "tests/io/made_sessions.hpp"
+
 namespace setsquare::testing {
 namespace {
 
@@ -417,58 +419,6 @@ void list_record(Listing& out, const MapRecord& record) {
   out.add("parameters_json", record.run.parameters_json);
   out.add("findings_json", record.run.findings_json);
   out.add("num_damaged_records", record.run.num_damaged_records);
-}
-
-/// After all others, so that what they draw stays as it was.
-void draw_sessions(Draw& draw, Map& map) {
-  const std::size_t num_scans = map.scans.size();
-  const std::size_t half = num_scans / 2;
-  map.sessions.push_back(
-      {.first_scan = 0, .num_scans = half, .recency = draw.below(9), .search = {}});
-  map.sessions.push_back({.first_scan = half,
-                          .num_scans = num_scans - half,
-                          .recency = draw.below(9),
-                          .search = {draw.below(9), draw.below(9), draw.below(9)}});
-  for (std::size_t i = 0; i < num_scans; ++i) map.track.T_odom_sensor.push_back(draw.pose());
-  for (std::size_t k = 0; k < map.keyframes.size(); ++k) {
-    TrackedMotion motion{.T_odom_body = draw.pose(), .covariance = {}};
-    MotionCovariance& covariance = motion.covariance;
-    for (double& value : covariance.translation_m2.reshaped()) value = draw.number();
-    covariance.rotation_rad2 = draw.number();
-    for (double& value : covariance.open_sigma_m.reshaped()) value = draw.number();
-    covariance.open_stretch = draw.below(9);
-    covariance.slip_sigma_m = draw.number();
-    covariance.has_odometry = draw.coin();
-    covariance.is_long_step = draw.coin();
-    motion.stretch = draw.below(9);
-    motion.share_of_place = draw.share();
-    map.track.motions.push_back(motion);
-  }
-}
-
-void list_sessions(Listing& out, const Map& map) {
-  for (const MapSession& session : map.sessions) {
-    out.add("first_scan", session.first_scan);
-    out.add("num_scans", session.num_scans);
-    out.add("recency", session.recency);
-    out.add("num_pairs", session.search.num_pairs);
-    out.add("num_matched", session.search.num_matched);
-    out.add("num_agreeing", session.search.num_agreeing);
-  }
-  for (const Pose2& pose : map.track.T_odom_sensor) out.add("T_odom_sensor", pose);
-  for (const TrackedMotion& motion : map.track.motions) {
-    out.add("T_odom_body", motion.T_odom_body);
-    const MotionCovariance& covariance = motion.covariance;
-    for (const double value : covariance.translation_m2.reshaped()) out.add("m2", value);
-    out.add("rotation_rad2", covariance.rotation_rad2);
-    for (const double value : covariance.open_sigma_m.reshaped()) out.add("open_sigma_m", value);
-    out.add("open_stretch", covariance.open_stretch);
-    out.add("slip_sigma_m", covariance.slip_sigma_m);
-    out.add("has_odometry", covariance.has_odometry);
-    out.add("is_long_step", covariance.is_long_step);
-    out.add("stretch", motion.stretch);
-    out.add("share_of_place", motion.share_of_place);
-  }
 }
 
 }  // namespace
