@@ -40,7 +40,7 @@ struct SessionSearch {
 /// known of the way from one to the next.
 struct MapSession {
   std::size_t first_scan = 0;  ///< Of Map::scans.
-  std::size_t num_scans = 0;
+  std::size_t num_scans = 0;   ///< From there on.
   /// Sessions of a higher one are newer: where walls changed, the grid shows what the newest saw.
   std::size_t recency = 0;
   SessionSearch search;  ///< Zeros of the first one, by which the others are placed.

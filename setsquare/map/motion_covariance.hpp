@@ -9,8 +9,8 @@ namespace setsquare {
 
 /// Covariance of a tracked motion: translation in the odom frame, rotation apart.
 struct MotionCovariance {
-  Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();
-  double rotation_rad2 = 0.0;
+  Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();  ///< In the odom frame.
+  double rotation_rad2 = 0.0;                                ///< Of the turn.
   /// Of translation_m2, what an open direction adds where no odometry tells the way along it: the
   /// sum of sigma u u^T, in m. Until a scan tells the robot's speed that is one error: over the
   /// motions of an open stretch the sigmas add up, not the variances.

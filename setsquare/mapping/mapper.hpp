@@ -47,7 +47,7 @@ class Mapper {
   /// order. Where walls changed, what came later is newer. Throws ParameterError that names the
   /// field, or where the map does not tell its track (PaperMapper).
   explicit Mapper(const Map& map);
-  Mapper(const Map& map, const MapperParams& params);
+  Mapper(const Map& map, const MapperParams& params);  ///< The same, by these parameters.
   /// Ends it; maps that it gave stay.
   ~Mapper();
   /// Leaves the other without parts: it may only be assigned to or ended.
@@ -90,6 +90,7 @@ class Mapper {
 /// whose stamps are later is the newer, or, where their times overlap, the one that is named later.
 /// Throws ParameterError, also where there is no map, or one does not tell its track (PaperMapper).
 [[nodiscard]] Map merge(std::span<const Map> maps);
+/// The same, by these parameters.
 [[nodiscard]] Map merge(std::span<const Map> maps, const MapperParams& params);
 
 }  // namespace setsquare
