@@ -10,6 +10,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/bytes/input_buffer.hpp"
+#include "setsquare/io/maps/png_image.hpp"
 
 namespace setsquare {
 namespace {
@@ -50,6 +51,16 @@ std::string text_of(const std::string& path) {
   return std::string(input.available());
 }
 
+/// A map's image, whatever it is called.
+PgmImage image_at(const std::string& path) {
+  constexpr std::size_t kBeginning = 8;
+  InputBuffer input(open_regular_file_source(path));
+  const bool has_beginning = input.ensure(kBeginning);
+  return has_beginning && is_png(input.available())
+             ? read_png(open_regular_file_source(path), path)
+             : read_pgm(open_regular_file_source(path), path);
+}
+
 }  // namespace
 
 OccupancyGrid grid_from_pgm_yaml(const PgmImage& image, const MapYaml& map) {
@@ -74,7 +85,7 @@ OccupancyGrid read_map_pgm_yaml(const std::string& yaml_path) {
   std::filesystem::path folder = std::filesystem::path(yaml_path).parent_path();
   if (folder.empty()) folder = ".";
   const std::string image_path = (folder / map.image).string();
-  return grid_from_pgm_yaml(read_pgm(open_regular_file_source(image_path), image_path), map);
+  return grid_from_pgm_yaml(image_at(image_path), map);
 }
 
 MapFiles map_files_from_grid(const OccupancyGrid& grid, const std::string& image_name) {

@@ -10,7 +10,7 @@
 
 namespace setsquare {
 
-/// Reads a map as map_server (ROS) stores it: a yaml file and the PGM image that it names. Darker
+/// Reads a map as map_server (ROS) stores it: a yaml file and the PGM or PNG image that it names. Darker
 /// is likelier occupied, p = (white - value) / white, or value / white where negated; p above the
 /// occupied threshold is occupied, below the free threshold free, between them unknown (trinary) or
 /// scaled (MapMode). Certain cells get a probability of 0.99 or 0.01. Throws FileError, FormatError
