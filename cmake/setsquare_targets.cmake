@@ -62,13 +62,13 @@ function(setsquare_set_unity target)
                                              UNITY_BUILD_BATCH_SIZE 32)
 endfunction()
 
-# setsquare_add_layer(NAME [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
+# setsquare_add_layer(NAME [NOT_INSTALLED] [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
 #                     [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 # One library per layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
 # which are made by the build. HEADERS, below the folder, are the public ones: they alone are
-# installed. DEPENDS names the layers that it may include.
+# installed; NOT_INSTALLED: a part of our programs alone. DEPENDS names the layers that it may include.
 function(setsquare_add_layer name)
-  cmake_parse_arguments(arg "" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
+  cmake_parse_arguments(arg "NOT_INSTALLED" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
                         ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
        "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
@@ -85,7 +85,9 @@ function(setsquare_add_layer name)
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
   setsquare_set_unity(setsquare_${name})
-  set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
+  if(NOT arg_NOT_INSTALLED)
+    set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
+  endif()
 endfunction()
 
 # setsquare_add_test(NAME [SOURCES a_test.cpp ...] LAYERS matching ... [LIBRARIES ...])

@@ -13,6 +13,8 @@
 //   save_map(mapped.map, "out", save_options_of(mapped));
 //
 //   const SavedMap saved = load_map_file("out");  // What map.setsquare there holds.
+//   Mapper next_day(saved.map);                   // Goes on with it.
+//   const SavedMap both = merge_map_files({"out", "other_wing"});
 //   Localizer localizer(std::make_shared<KnownMap>(occupancy_grid(saved.map)));
 //   const LocalisedPose pose = localizer.add(scan);  // Anywhere in it, from no start pose.
 //
@@ -30,6 +32,7 @@
 #include "setsquare/mapping/mapper.hpp"            // IWYU pragma: export
 #include "setsquare/matching/scan_matcher.hpp"     // IWYU pragma: export
 #include "setsquare/pipeline/map_log.hpp"          // IWYU pragma: export
+#include "setsquare/pipeline/merge_maps.hpp"       // IWYU pragma: export
 #include "setsquare/report/map/save_map.hpp"       // IWYU pragma: export
 #include "setsquare/scan/scan.hpp"                 // IWYU pragma: export
 

@@ -12,6 +12,7 @@ namespace {
 void add_subcommands(CLI::App& application) {
   setsquare::app::add_info(application);
   setsquare::app::add_map(application);
+  setsquare::app::add_merge(application);
   setsquare::app::add_render(application);
   setsquare::app::add_localize(application);
   setsquare::app::add_audit(application);
@@ -20,6 +21,7 @@ void add_subcommands(CLI::App& application) {
   setsquare::app::add_match(application);
   setsquare::app::add_explain(application);
   setsquare::app::add_simulate(application);
+  setsquare::app::add_live(application);
   setsquare::app::add_experiment(application);
   setsquare::app::add_reference(application);
 }
@@ -41,6 +43,8 @@ int main(int argc, char** argv) {
         "Examples:\n"
         "  setsquare map intel.clf -o out\n"
         "  setsquare map my_bag -o out\n"
+        "  setsquare map tuesday.bag --continue out -o out2\n"
+        "  setsquare merge east west -o both\n"
         "  setsquare render out/map.setsquare -o out2\n"
         "  setsquare localize out today.clf -o where\n"
         "  setsquare audit intel.clf out\n"

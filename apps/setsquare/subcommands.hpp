@@ -12,12 +12,14 @@ namespace setsquare::app {
 void add_audit(CLI::App& application);
 void add_convert(CLI::App& application);
 void add_info(CLI::App& application);
+void add_live(CLI::App& application);
 void add_localize(CLI::App& application);
 void add_map(CLI::App& application);
 void add_evaluate(CLI::App& application);
 void add_experiment(CLI::App& application);
 void add_explain(CLI::App& application);
 void add_match(CLI::App& application);
+void add_merge(CLI::App& application);
 void add_reference(CLI::App& application);
 void add_render(CLI::App& application);
 void add_simulate(CLI::App& application);

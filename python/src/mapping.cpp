@@ -18,6 +18,7 @@
 #include "setsquare/mapping/mapper.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/pipeline/map_log.hpp"
+#include "setsquare/pipeline/merge_maps.hpp"
 
 namespace py = pybind11;
 
@@ -48,6 +49,7 @@ PyMap map_log_of(const py::object& path,
                  bool odometry,
                  bool audit,
                  const std::string& preset,
+                 const PyMap* continue_from,
                  int num_threads,
                  const py::object& progress,
                  const py::kwargs& log_options) {
@@ -57,6 +59,10 @@ PyMap map_log_of(const py::object& path,
   options.is_audited = audit;
   options.num_threads = static_cast<std::size_t>(threads_from(num_threads));
   options.preset = preset_from(preset);
+  if (continue_from != nullptr) {
+    options.known_map = {continue_from->saved, &continue_from->saved->map};
+    options.known_map_name = continue_from->saved->record.run.log;
+  }
   const std::vector<std::string> paths = paths_from(path);
   Watch watch(progress);
   return PyMap(without_gil(
@@ -65,7 +71,7 @@ PyMap map_log_of(const py::object& path,
 
 /// A mapper that several threads may use.
 struct PyMapper {
-  explicit PyMapper(const MapperParams& params) : mapper(params) {}
+  explicit PyMapper(Mapper begun) : mapper(std::move(begun)) {}
 
   /// Calls `function` with the mapper while no other thread does, with Python's interpreter free.
   template <typename Function>
@@ -80,11 +86,24 @@ struct PyMapper {
   Mapper mapper;
 };
 
-std::unique_ptr<PyMapper> mapper_from(bool audit, int num_threads) {
+std::unique_ptr<PyMapper> mapper_from(const PyMap* continue_from, bool audit, int num_threads) {
   MapperParams params;
   params.audit.is_on = audit;
   params.num_threads = static_cast<std::size_t>(threads_from(num_threads));
-  return std::make_unique<PyMapper>(params);
+  if (continue_from == nullptr) return std::make_unique<PyMapper>(Mapper(params));
+  const auto saved = continue_from->saved;
+  return std::make_unique<PyMapper>(without_gil([&] { return Mapper(saved->map, params); }));
+}
+
+PyMap merged_map_of(const std::vector<PyMap>& maps, int num_threads) {
+  std::vector<SavedMap> saved;
+  std::vector<std::string> names;
+  for (const PyMap& map : maps) {
+    saved.push_back(*map.saved);
+    names.push_back("maps[" + std::to_string(names.size()) + "]");
+  }
+  const auto threads = static_cast<std::size_t>(threads_from(num_threads));
+  return PyMap(without_gil([&] { return merge_maps(saved, names, threads); }));
 }
 
 void bind_tracked_pose(py::module_& module) {
@@ -121,10 +140,13 @@ void bind_mapper(py::module_& module) {
         mapper.add(record.scan, record.T_odom_base)
     map = mapper.finish()
 
+continue_from: a Map to go on with. The scans that come are of another log, and the robot may stand
+anywhere; what they show is joined to the map where the two share places, in the map's axes.
 audit: match pairs of scans against the finished map. num_threads: 0 for all processors; any number
 gives the same map. Threads may share a mapper: they take turns.)")
       .def(py::init(&mapper_from),
            py::kw_only(),
+           py::arg("continue_from") = py::none(),
            py::arg("audit") = true,
            py::arg("num_threads") = 0)
       .def(
@@ -177,6 +199,16 @@ Raises ParameterError where the scan's geometry is not valid or a pose is not fi
 void bind_mapping(py::module_& module) {
   bind_tracked_pose(module);
   bind_mapper(module);
+  module.def("merge",
+             &merged_map_of,
+             py::arg("maps"),
+             py::kw_only(),
+             py::arg("num_threads") = 0,
+             R"(One Map of several, in the frame of the first: what `setsquare merge` does.
+
+maps: a list of Map of one building, found by the places that they share; where walls changed the
+newer wins. Raises FileError with the reason where one shares no place with the others,
+ParameterError where one cannot be gone on with (preset "paper").)");
   module.def("map_log",
              &map_log_of,
              py::arg("path"),
@@ -184,6 +216,7 @@ void bind_mapping(py::module_& module) {
              py::arg("odometry") = true,
              py::arg("audit") = true,
              py::arg("preset") = "default",
+             py::arg("continue_from") = py::none(),
              py::arg("num_threads") = 0,
              py::arg("progress") = py::none(),
              R"(Maps a log: what `setsquare map` does, in one call.
@@ -191,6 +224,7 @@ void bind_mapping(py::module_& module) {
 path: as read_log takes it, whose further options are taken, too.
 odometry: use the wheels where the log has them. audit: match pairs against the finished map.
 preset: "default", or "paper" for the method of Bando et al. 2014.
+continue_from: a Map to go on with, see Mapper.
 num_threads: 0 for all processors; any number gives the same map.
 progress: called a few times a second with the share of the log that has been read, 0 to 1, or None.
 

@@ -166,3 +166,24 @@ def test_a_map_of_nothing_is_a_map():
     nothing = setsquare.Mapper().finish()
     assert len(nothing) == 0
     assert len(nothing.trajectory()) == 0
+
+
+def test_a_map_is_gone_on_with_and_merged(log, mapped, tmp_path):
+    # With the log that it was made of, seen again: the robot is found where it was.
+    both = setsquare.map_log(log, continue_from=mapped)
+    count = len(mapped.scans)
+    assert len(both.scans) == 2 * count and both.scans["is_placed"].all()
+    for axis in ("x_m", "y_m"):
+        assert np.abs(both.scans[axis][:count] - mapped.scans[axis]).max() < 0.05
+        assert np.abs(both.scans[axis][count:] - mapped.scans[axis]).max() < 0.05
+    # With nothing it stays as it is, and so it does merged with itself.
+    assert np.array_equal(setsquare.Mapper(continue_from=mapped).finish().keyframes,
+                          mapped.keyframes)
+    merged = setsquare.merge([mapped, mapped])
+    assert len(merged.scans) == count
+    assert np.allclose(merged.scans["x_m"], mapped.scans["x_m"], rtol=0.0, atol=1e-9)
+    with pytest.raises(setsquare.ParameterError):
+        setsquare.merge([])
+    by_paper = setsquare.map_log(log, preset="paper")
+    with pytest.raises(setsquare.ParameterError, match="track"):
+        setsquare.Mapper(continue_from=by_paper)

@@ -5,7 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Core>
+#include <functional>
 #include <limits>
+#include <set>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
@@ -30,7 +33,8 @@ std::vector<PlacedScan> spaced(std::span<const PlacedScan> scans,
     if (!is_usable(pose)) continue;
     if (!kept.empty()) {
       const Pose2 motion = kept.back().T_map_sensor.inverse() * pose;
-      if (motion.translation().norm() < params.min_spacing_m &&
+      if (kept.back().recency == placed.recency &&
+          motion.translation().norm() < params.min_spacing_m &&
           std::abs(motion.theta_rad) < params.min_turn_rad) {
         continue;
       }
@@ -58,6 +62,7 @@ struct Extent {
 struct GridScan {
   const Scan* scan = nullptr;
   Pose2 T_grid_sensor;
+  std::size_t recency = 0;
   Extent extent;  // of the sensor and all ends, in the grid frame, in m
 };
 
@@ -78,7 +83,7 @@ std::vector<GridScan> aligned(const std::vector<PlacedScan>& scans,
       extent.include(Eigen::Array2d(T_aligned_sensor.x_m + c * end.x_m - s * end.y_m,
                                     T_aligned_sensor.y_m + s * end.x_m + c * end.y_m));
     }
-    found.push_back({placed.scan, T_aligned_sensor, extent});
+    found.push_back({placed.scan, T_aligned_sensor, placed.recency, extent});
   }
   return found;
 }
@@ -109,31 +114,10 @@ OccupancyGrid grid_over(std::vector<GridScan>& scans,
           static_cast<std::int32_t>(cells.y())};
 }
 
-/// Fills the rows of the grid from `first_row` on, as many as `num_hits` has cells for.
-void fill_band(OccupancyGrid& grid,
-               std::int32_t first_row,
-               std::span<std::uint16_t> num_hits,
-               const std::vector<GridScan>& scans,
-               const GridFromScansParams& params) {
-  const std::size_t first = grid.index({0, first_row});
-  const std::span<float> values = std::span(grid.values()).subspan(first, num_hits.size());
-  EvidenceBand band(first_row, grid.num_columns(), values, num_hits);
-  BeamEndFinder finder(params.beams);
-  const double resolution_m = grid.resolution_m();
-  const double low_m = (band.first_row() - 1) * resolution_m;  // a row's slack for rounding
-  const double high_m = (band.end_row() + 1) * resolution_m;
-  for (const GridScan& scan : scans) {
-    if (scan.extent.high.y() < low_m || scan.extent.low.y() > high_m) continue;
-    band.count(scan.T_grid_sensor, resolution_m, finder.find(*scan.scan), params.insertion);
-  }
-  band.finish(params.insertion);
-}
-
-/// Fills the grid, cut into a few bands per thread.
-void fill(OccupancyGrid& grid,
-          const std::vector<GridScan>& scans,
-          const GridFromScansParams& params) {
-  std::vector<std::uint16_t> num_hits(grid.values().size(), 0);
+/// The bands of rows that a grid is cut into, a few per thread: calls visit(first_row, cells) for
+/// each, with the range of its cells.
+template <typename Visit>
+void visit_bands(const OccupancyGrid& grid, const GridFromScansParams& params, Visit visit) {
   const auto num_threads = static_cast<std::size_t>(params.num_threads);
   const auto num_rows = static_cast<std::size_t>(grid.num_rows());
   const std::size_t num_bands = std::min(num_threads > 1 ? 4 * num_threads : 1, num_rows);
@@ -141,9 +125,71 @@ void fill(OccupancyGrid& grid,
     const auto row = static_cast<std::int32_t>(band * num_rows / num_bands);
     const auto end_row = static_cast<std::int32_t>((band + 1) * num_rows / num_bands);
     const std::size_t first = grid.index({0, row});
-    const std::size_t num_cells = grid.index({0, end_row}) - first;
-    fill_band(grid, row, std::span(num_hits).subspan(first, num_cells), scans, params);
+    visit(row, first, grid.index({0, end_row}) - first);
   });
+}
+
+/// Counts the beams of the scans of one session.
+void count(const OccupancyGrid& grid,
+           const std::vector<GridScan>& scans,
+           std::size_t recency,
+           const GridFromScansParams& params,
+           const CellCounts& counts) {
+  visit_bands(grid, params, [&](std::int32_t row, std::size_t first, std::size_t num_cells) {
+    EvidenceBand band(row,
+                      grid.num_columns(),
+                      counts.num_passes.subspan(first, num_cells),
+                      counts.num_hits.subspan(first, num_cells));
+    BeamEndFinder finder(params.beams);
+    const double resolution_m = grid.resolution_m();
+    const double low_m = (band.first_row() - 1) * resolution_m;  // a row's slack for rounding
+    const double high_m = (band.end_row() + 1) * resolution_m;
+    for (const GridScan& scan : scans) {
+      if (scan.recency != recency) continue;
+      if (scan.extent.high.y() < low_m || scan.extent.low.y() > high_m) continue;
+      band.count(scan.T_grid_sensor, resolution_m, finder.find(*scan.scan), params.insertion);
+    }
+  });
+}
+
+/// The sessions of the scans, from the newest to the oldest; one at least.
+std::vector<std::size_t> recencies_of(const std::vector<GridScan>& scans) {
+  std::set<std::size_t, std::greater<>> recencies;
+  for (const GridScan& scan : scans) recencies.insert(scan.recency);
+  if (recencies.empty()) return {0};
+  return {recencies.begin(), recencies.end()};
+}
+
+/// Fills the grid. Returns where walls changed.
+std::vector<ChangedPlace> fill(OccupancyGrid& grid,
+                               const std::vector<GridScan>& scans,
+                               const GridFromScansParams& params) {
+  const std::size_t num_cells = grid.values().size();
+  std::vector<std::uint16_t> num_hits(num_cells, 0);
+  const CellCounts counts{grid.values(), num_hits};
+  const std::vector<std::size_t> recencies = recencies_of(scans);
+  count(grid, scans, recencies.front(), params, counts);
+  std::vector<ChangedPlace> changes;
+  if (recencies.size() > 1) {
+    ChangedCells changed(
+        grid.num_columns(), grid.num_rows(), grid.resolution_m(), params.insertion, params.changes);
+    for (std::size_t s = 1; s < recencies.size(); ++s) {
+      std::vector<float> older_passes(num_cells, 0.0F);
+      std::vector<std::uint16_t> older_hits(num_cells, 0);
+      const CellCounts older{older_passes, older_hits};
+      count(grid, scans, recencies[s], params, older);
+      changed.add_older(counts, older);
+    }
+    changes = changed.places(counts, grid.T_map_grid());
+  }
+  visit_bands(grid, params, [&](std::int32_t row, std::size_t first, std::size_t num_in_band) {
+    EvidenceBand(row,
+                 grid.num_columns(),
+                 counts.num_passes.subspan(first, num_in_band),
+                 counts.num_hits.subspan(first, num_in_band))
+        .finish(params.insertion);
+  });
+  return changes;
 }
 
 }  // namespace
@@ -159,17 +205,24 @@ void GridFromScansParams::validate() const {
   if (num_threads < 1) throw ParameterError("num_threads", "must be at least 1");
   beams.validate();
   insertion.validate();
+  changes.validate();
 }
 
 OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,
                               double grid_heading_rad,
                               const GridFromScansParams& params) {
+  return grid_with_changes(scans, grid_heading_rad, params).grid;
+}
+
+GridWithChanges grid_with_changes(std::span<const PlacedScan> scans,
+                                  double grid_heading_rad,
+                                  const GridFromScansParams& params) {
   params.validate();
   const Pose2 T_map_aligned{0.0, 0.0, grid_heading_rad};
   std::vector<GridScan> kept = aligned(spaced(scans, params), T_map_aligned.inverse(), params);
   OccupancyGrid grid = grid_over(kept, T_map_aligned, params);
-  fill(grid, kept, params);
-  return grid;
+  std::vector<ChangedPlace> changes = fill(grid, kept, params);
+  return {std::move(grid), std::move(changes)};
 }
 
 }  // namespace setsquare

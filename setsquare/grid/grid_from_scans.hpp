@@ -6,6 +6,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/grid/beam_ends.hpp"
+#include "setsquare/grid/changed_cells.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/grid/placed_scan.hpp"
 #include "setsquare/grid/scan_insertion.hpp"
@@ -22,6 +23,7 @@ struct GridFromScansParams {
   int num_threads = 1;  ///< Any number gives the same grid.
   BeamEndParams beams = {};
   ScanInsertionParams insertion = {};
+  ChangedCellParams changes = {};
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -34,9 +36,17 @@ struct GridFromScansParams {
 /// 2. The extent of all beams makes the grid.
 /// 3. Band of rows by band of rows, the beams that end in a cell and those that pass through it are
 ///    counted (EvidenceBand): small enough for the cache, and a piece of work for a thread.
-/// 4. The counts become log-odds.
+/// 4. Scans of several sessions (PlacedScan::recency) are counted session by session, from the
+/// newest
+///    to the oldest. Where walls changed what is older does not count (ChangedCells).
+/// 5. The counts become log-odds.
 [[nodiscard]] OccupancyGrid grid_from_scans(std::span<const PlacedScan> scans,
                                             double grid_heading_rad = 0.0,
                                             const GridFromScansParams& params = {});
+
+/// The same, and where walls changed from session to session.
+[[nodiscard]] GridWithChanges grid_with_changes(std::span<const PlacedScan> scans,
+                                                double grid_heading_rad = 0.0,
+                                                const GridFromScansParams& params = {});
 
 }  // namespace setsquare

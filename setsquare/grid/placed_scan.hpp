@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
+
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/scan/scan.hpp"
 
@@ -12,6 +14,7 @@ namespace setsquare {
 struct PlacedScan {
   const Scan* scan = nullptr;  ///< Not null.
   Pose2 T_map_sensor;          ///< Where its sensor was in the map frame.
+  std::size_t recency = 0;     ///< Of its session (MapSession): higher is newer.
 };
 
 }  // namespace setsquare

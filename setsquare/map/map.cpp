@@ -46,6 +46,19 @@ StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
 
 }  // namespace
 
+bool begins_later_session(const Map& map, std::size_t scan) {
+  return scan > 0 && std::ranges::any_of(map.sessions, [&](const MapSession& session) {
+           return session.first_scan == scan;
+         });
+}
+
+bool is_joined(const Map& map, const MapSession& session) {
+  return std::ranges::any_of(map.pieces, [&](const TrackPiece& piece) {
+    return piece.is_joined && piece.first_scan >= session.first_scan &&
+           piece.first_scan < session.first_scan + session.num_scans;
+  });
+}
+
 void validate(const Map& map) {
   const std::size_t num_scans = map.scans.size();
   const auto is_scan = [&](std::size_t index) { return index < num_scans; };
@@ -68,6 +81,22 @@ void validate(const Map& map) {
     num_left -= piece.num_scans;
     return true;
   });
+  std::size_t next_scan = 0;
+  require_each(
+      map.sessions, "sessions", "does not follow the one before", [&](const auto& session) {
+        if (session.first_scan != next_scan || session.num_scans > num_scans - next_scan)
+          return false;
+        next_scan += session.num_scans;
+        return true;
+      });
+  const MapTrack& track = map.track;
+  if (!track.T_odom_sensor.empty() && track.T_odom_sensor.size() != num_scans) {
+    throw ParameterError("track.T_odom_sensor", "must be one per scan");
+  }
+  require_each(track.T_odom_sensor, "track.T_odom_sensor", "is not finite", has_finite_numbers);
+  if (!track.motions.empty() && track.motions.size() != map.keyframes.size()) {
+    throw ParameterError("track.motions", "must be one per keyframe");
+  }
   require_each(map.open_stretches, "open_stretches", "has no such scans", are_scans);
   require_each(map.closures, "closures", "names no scan", [&](const MappedClosure& closure) {
     return is_scan(closure.scan_i) && is_scan(closure.scan_j);
@@ -119,17 +148,30 @@ std::vector<LoopClosure> closures_of(const Map& map) {
 
 std::vector<PlacedScan> placed_scans(const Map& map) {
   std::vector<PlacedScan> placed;
+  std::size_t session = 0;
   placed.reserve(map.kept_scans.size());
   for (const KeptScan& kept : map.kept_scans) {
     const MappedScan& mapped = map.scans[kept.index];
+    while (session + 1 < map.sessions.size() &&
+           map.sessions[session + 1].first_scan <= kept.index) {
+      ++session;
+    }
     if (mapped.status == TrackStatus::kLost || !mapped.is_placed) continue;
-    placed.push_back({kept.scan.get(), mapped.T_map_sensor});
+    placed.push_back({kept.scan.get(),
+                      mapped.T_map_sensor,
+                      map.sessions.empty() ? 0 : map.sessions[session].recency});
   }
   return placed;
 }
 
 OccupancyGrid occupancy_grid(const Map& map, int num_threads, double grid_heading_rad) {
-  return grid_from_scans(placed_scans(map), grid_heading_rad, {.num_threads = num_threads});
+  return occupancy_grid_with_changes(map, num_threads, grid_heading_rad).grid;
+}
+
+GridWithChanges occupancy_grid_with_changes(const Map& map,
+                                            int num_threads,
+                                            double grid_heading_rad) {
+  return grid_with_changes(placed_scans(map), grid_heading_rad, {.num_threads = num_threads});
 }
 
 }  // namespace setsquare

@@ -16,11 +16,13 @@
 #include "setsquare/core/timestamp.hpp"
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/grid/grid_with_changes.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/grid/placed_scan.hpp"
 #include "setsquare/map/audit_report.hpp"
 #include "setsquare/map/doubt.hpp"
 #include "setsquare/map/gyro_report.hpp"
+#include "setsquare/map/map_track.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
 #include "setsquare/map/odometry_report.hpp"
 #include "setsquare/map/sweep_report.hpp"
@@ -130,6 +132,8 @@ struct Map {
   std::vector<MappedHeading> headings;      ///< One per keyframe; none by PaperMapper.
   std::vector<BuildingFrame> frames;        ///< The main one first; none by PaperMapper.
   std::vector<TrackPiece> pieces;           ///< One where tracking was never lost for long.
+  std::vector<MapSession> sessions;         ///< One where a single log was mapped.
+  MapTrack track;                           ///< What tracking found, to go on with.
   std::vector<MappedClosure> closures;      ///< Accepted and refused; none by PaperMapper.
   std::vector<OpenStretch> open_stretches;  ///< Bare corridors and round halls, in the map's order.
   std::vector<UndecidedTurn> undecided_turns;  ///< In the map's order; empty by PaperMapper.
@@ -154,6 +158,12 @@ void validate(const Map& map);
 /// A heading whose standard deviation is above this is told to be open.
 inline constexpr double kOpenHeading_rad = rad_from_deg(5.0);
 
+/// Whether a scan is the first of a session that follows another one: the way to it is unknown.
+[[nodiscard]] bool begins_later_session(const Map& map, std::size_t scan);
+
+/// Whether a part of the session has its place in the map.
+[[nodiscard]] bool is_joined(const Map& map, const MapSession& session);
+
 /// Whose poses a trajectory holds.
 enum class PoseOf {
   kBase,    ///< The robot's.
@@ -175,7 +185,8 @@ enum class PoseOf {
 [[nodiscard]] std::vector<LoopClosure> closures_of(const Map& map);
 
 /// The kept scans that show walls, where they were taken; lost ones, and those that are not placed,
-/// are left out: they would smear the walls. The map must outlive them.
+/// are left out: they would smear the walls. Each has the recency of its session. The map must
+/// outlive them.
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
 /// Not of a map that ends with the expression: the scans are the map's.
 std::vector<PlacedScan> placed_scans(Map&&) = delete;
@@ -186,5 +197,10 @@ std::vector<PlacedScan> placed_scans(Map&&) = delete;
 [[nodiscard]] OccupancyGrid occupancy_grid(const Map& map,
                                            int num_threads = 1,
                                            double grid_heading_rad = 0.0);
+
+/// The same, and where walls changed from session to session (ChangedCells).
+[[nodiscard]] GridWithChanges occupancy_grid_with_changes(const Map& map,
+                                                          int num_threads = 1,
+                                                          double grid_heading_rad = 0.0);
 
 }  // namespace setsquare

@@ -20,7 +20,8 @@ void count_scans(const Map& map, MapSummary& summary) {
     summary.num_degenerate += status == TrackStatus::kDegenerate;
     summary.num_recovered += status == TrackStatus::kRecovered;
     summary.num_lost += status == TrackStatus::kLost;
-    const bool is_step = i > 0 && map.scans[i].is_placed && map.scans[i - 1].is_placed;
+    const bool is_step = i > 0 && map.scans[i].is_placed && map.scans[i - 1].is_placed &&
+                         !begins_later_session(map, i);
     if (is_step) summary.path_m += step_m(map, i);
   }
 }
@@ -62,12 +63,13 @@ std::vector<StatusStretch> status_stretches(const Map& map) {
   for (std::size_t i = 0; i < map.scans.size(); ++i) {
     const TrackStatus status = map.scans[i].status;
     if (status == TrackStatus::kTracked) continue;
-    const bool continues = i > 0 && map.scans[i - 1].status == status;
+    const bool begins = i == 0 || begins_later_session(map, i);
+    const bool continues = !begins && map.scans[i - 1].status == status;
     if (!continues) {
       found.push_back({.status = status, .first_scan = i, .num_scans = 0, .path_m = 0.0});
     }
     ++found.back().num_scans;
-    if (i > 0) found.back().path_m += step_m(map, i);
+    if (!begins) found.back().path_m += step_m(map, i);
   }
   return found;
 }

@@ -3,47 +3,37 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <memory>
-#include <utility>
-#include <vector>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/map/map.hpp"
+#include "setsquare/core/pose2.hpp"
 #include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
 
 /// Chooses the scans that a map keeps whole: the keyframes, and those that moved on by 0.1 m or 5
 /// degrees since the last one kept of the same scanner. Memory grows with the way driven, not with
-/// the time. Shared by Mapper and PaperMapper.
-class KeptScans {
+/// the time. Shared by LogTracker and PaperMapper.
+class KeptScanChoice {
  public:
-  /// The next scan. `share`: gives it as a shared pointer; called only where it is kept.
-  template <typename Share>
-  void add(const TrackedPose& tracked, std::uint32_t scanner, const Share& share) {
+  /// Whether the next scan is one of them.
+  [[nodiscard]] bool takes(const TrackedPose& tracked, std::uint32_t scanner) {
     constexpr double kSpacing_m = 0.1;
     constexpr double kTurn_rad = rad_from_deg(5.0);
-    const std::size_t index = num_scans_++;
     const auto [last, is_first] = T_odom_last_.try_emplace(scanner);
     if (!is_first && !tracked.is_keyframe) {
       const Pose2 moved = last->second.inverse() * tracked.T_odom_body;
       if (std::hypot(moved.x_m, moved.y_m) < kSpacing_m && std::abs(moved.theta_rad) < kTurn_rad) {
-        return;
+        return false;
       }
     }
     last->second = tracked.T_odom_body;
-    kept_.push_back({index, share()});
+    return true;
   }
 
-  [[nodiscard]] const std::vector<KeptScan>& kept() const { return kept_; }
-
  private:
-  std::vector<KeptScan> kept_;
   std::map<std::uint32_t, Pose2> T_odom_last_;  ///< Of the body, by scanner.
-  std::size_t num_scans_ = 0;
 };
 
 }  // namespace setsquare

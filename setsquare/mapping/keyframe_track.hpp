@@ -22,6 +22,13 @@ struct KeyframeTrack {
   /// Piece of track, from 0: stretches that odometry ties to each other. Motion between pieces is
   /// unknown.
   std::vector<std::size_t> pieces;
+  /// Keyframes at which a further session begins (MapSession): each begins a piece, and nothing at
+  /// all is known of the motion to it. Empty where one log is mapped.
+  std::vector<std::size_t> session_begins;
+  /// The first keyframes, of the first session of a map that is gone on with: the largest piece of
+  /// these is the one that the others are joined to. 0 where there is no such map: the largest of
+  /// all.
+  std::size_t num_known = 0;
 
   [[nodiscard]] std::size_t size() const { return keyframes.size(); }
   /// Scanners that keyframes come from, at least one: of so many keyframes each scanner has one,

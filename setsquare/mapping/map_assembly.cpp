@@ -19,21 +19,56 @@ ClosureAxes axes_of(const ComparedPlaces& places, const PoseGraph& graph) {
   return axis_across(std::atan2(open.y(), open.x()) + graph.T_map_node[places.from].theta_rad);
 }
 
-std::vector<Pose2> poses_of_scans(const MapParts& parts) {
-  std::vector<MappedKeyframe> keyframes;
+std::vector<MapSession> sessions_of(const MapParts& parts) {
+  if (!parts.sessions.empty()) return {parts.sessions.begin(), parts.sessions.end()};
+  if (parts.scans.empty()) return {};
+  return {{.first_scan = 0, .num_scans = parts.scans.size(), .search = {}}};
+}
+
+/// Session by session: what one saw says nothing of where another one's scans lie.
+std::vector<Pose2> poses_of_scans(const MapParts& parts, const std::vector<MapSession>& sessions) {
   const KeyframeTrack& track = parts.track;
-  for (std::size_t k = 0; k < track.size(); ++k) {
-    const bool begins_piece = k > 0 && track.pieces[k] != track.pieces[k - 1];
-    keyframes.push_back({track.keyframes[k]->scan_index, parts.graph.T_map_node[k], begins_piece});
+  std::vector<Pose2> T_map_sensor;
+  T_map_sensor.reserve(parts.scans.size());
+  std::size_t k = 0;
+  for (const MapSession& session : sessions) {
+    const std::size_t end = session.first_scan + session.num_scans;
+    std::vector<MappedKeyframe> keyframes;
+    for (; k < track.size() && track.keyframes[k]->scan_index < end; ++k) {
+      const bool begins_piece = k > 0 && track.pieces[k] != track.pieces[k - 1];
+      keyframes.push_back({track.keyframes[k]->scan_index - session.first_scan,
+                           parts.graph.T_map_node[k],
+                           begins_piece});
+    }
+    std::vector<Pose2> T_odom_sensor;
+    T_odom_sensor.reserve(session.num_scans);
+    for (const TrackedScan& scan : parts.scans.subspan(session.first_scan, session.num_scans)) {
+      T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
+    }
+    const std::vector<Pose2> of_session = assemble_track(T_odom_sensor, keyframes);
+    T_map_sensor.insert(T_map_sensor.end(), of_session.begin(), of_session.end());
   }
-  std::vector<Pose2> T_odom_sensor;
-  T_odom_sensor.reserve(parts.scans.size());
-  for (const TrackedScan& scan : parts.scans) T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
-  return assemble_track(T_odom_sensor, keyframes);
+  return T_map_sensor;
+}
+
+/// What the map keeps of the track, to go on with.
+void add_track(const MapParts& parts, Map& map) {
+  const KeyframeTrack& track = parts.track;
+  map.track.T_odom_sensor.reserve(parts.scans.size());
+  for (const TrackedScan& scan : parts.scans) {
+    map.track.T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
+  }
+  for (std::size_t k = 0; k < track.size(); ++k) {
+    map.track.motions.push_back(
+        {.T_odom_body = track.keyframes[k]->T_odom_body,
+         .covariance = track.motions[k],
+         .stretch = track.stretches[k],
+         .share_of_place = parts.shares_of_place.empty() ? 1.0 : parts.shares_of_place[k]});
+  }
 }
 
 void add_scans(const MapParts& parts, Map& map) {
-  const std::vector<Pose2> T_map_sensor = poses_of_scans(parts);
+  const std::vector<Pose2> T_map_sensor = poses_of_scans(parts, map.sessions);
   map.scans.reserve(parts.scans.size());
   for (std::size_t i = 0; i < parts.scans.size(); ++i) {
     const TrackedScan& scan = parts.scans[i];
@@ -86,8 +121,10 @@ Map assemble_map(const MapParts& parts) {
   for (const KeyframePtr& keyframe : parts.track.keyframes) {
     map.keyframes.push_back(keyframe->scan_index);
   }
-  map.pieces = pieces_of(parts.track, parts.is_joined, parts.scans.size());
+  map.sessions = sessions_of(parts);
+  map.pieces = pieces_of(parts.track, parts.is_joined, parts.scans.size(), map.sessions);
   add_scans(parts, map);
+  add_track(parts, map);
   add_headings(parts.headings, map);
   map.closures = mapped_closures(parts.track, parts.compared, parts.graph);
   map.graph = graph_of_base(parts.track, parts.graph);
@@ -127,11 +164,17 @@ std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
 
 std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
                                   const std::vector<bool>& is_joined,
-                                  std::size_t num_scans) {
+                                  std::size_t num_scans,
+                                  std::span<const MapSession> sessions) {
   std::vector<TrackPiece> pieces;
+  std::size_t session = 0;
   for (std::size_t k = 0; k < track.size(); ++k) {
     if (track.pieces[k] < pieces.size()) continue;
-    const std::size_t first = pieces.empty() ? 0 : track.keyframes[k]->scan_index;
+    std::size_t first = pieces.empty() ? 0 : track.keyframes[k]->scan_index;
+    while (session + 1 < sessions.size() &&
+           sessions[session + 1].first_scan <= track.keyframes[k]->scan_index) {
+      first = sessions[++session].first_scan;
+    }
     if (!pieces.empty()) pieces.back().num_scans = first - pieces.back().first_scan;
     pieces.push_back({first, num_scans - first, is_joined[track.pieces[k]]});
   }

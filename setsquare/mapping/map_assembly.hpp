@@ -29,6 +29,8 @@ struct MapParts {
   std::span<const TrackedScan> scans;
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
+  std::span<const double> shares_of_place = {};  ///< One per keyframe.
+  std::span<const MapSession> sessions = {};     ///< One of all scans where there are none.
   FusedHeadings headings = {};
   std::span<const ComparedPlaces> compared = {};
   std::vector<bool> is_joined = {};  ///< One per piece of the track.
@@ -47,10 +49,11 @@ struct MapParts {
                                                          const PoseGraph& graph);
 
 /// The pieces of the track as ranges of scans: each begins with its first keyframe, the first one
-/// with the log.
+/// of a session with the session.
 [[nodiscard]] std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
                                                 const std::vector<bool>& is_joined,
-                                                std::size_t num_scans);
+                                                std::size_t num_scans,
+                                                std::span<const MapSession> sessions = {});
 
 /// The same graph of the poses of `base`.
 [[nodiscard]] PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph);

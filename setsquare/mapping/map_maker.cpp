@@ -3,6 +3,7 @@
 #include "setsquare/mapping/map_maker.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "setsquare/graph/linear_pose_graph.hpp"
@@ -48,6 +49,44 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
     if (is_begin) evidence[k].step_sigma_rad = kJointSigma_rad;
   }
   return evidence;
+}
+
+/// The motion that brings the graph's poses, all in all, nearest to where the anchors have them.
+Pose2 motion_to_anchors(const PoseGraph& graph, std::span<const AnchoredKeyframe> anchors) {
+  constexpr double kHeadingWeight_m2 = 1.0;  // Of a keyframe's heading: a robot may have stood.
+  const auto num = static_cast<double>(anchors.size());
+  Eigen::Vector2d from = Eigen::Vector2d::Zero();
+  Eigen::Vector2d to = Eigen::Vector2d::Zero();
+  for (const AnchoredKeyframe& anchor : anchors) {
+    from += graph.T_map_node[anchor.keyframe].translation() / num;
+    to += anchor.T_map_sensor.translation() / num;
+  }
+  double sin_sum = 0.0;
+  double cos_sum = 0.0;
+  for (const AnchoredKeyframe& anchor : anchors) {
+    const Pose2& node = graph.T_map_node[anchor.keyframe];
+    const Eigen::Vector2d a = node.translation() - from;
+    const Eigen::Vector2d b = anchor.T_map_sensor.translation() - to;
+    const double turn_rad = anchor.T_map_sensor.theta_rad - node.theta_rad;
+    sin_sum += a.x() * b.y() - a.y() * b.x() + kHeadingWeight_m2 * std::sin(turn_rad);
+    cos_sum += a.dot(b) + kHeadingWeight_m2 * std::cos(turn_rad);
+  }
+  const double turn_rad = std::atan2(sin_sum, cos_sum);
+  const Eigen::Vector2d shift_m = to - rotation_matrix(turn_rad) * from;
+  return {shift_m.x(), shift_m.y(), turn_rad};
+}
+
+/// Moves the poses, and turns the headings with them.
+void move_by(const Pose2& T, PoseGraph& graph, FusedHeadings& headings) {
+  for (Pose2& node : graph.T_map_node) node = T * node;
+  for (HeadingMeasurement& heading : graph.headings) {
+    heading.heading_rad = wrap_to_pi(heading.heading_rad + T.theta_rad);
+  }
+  for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
+    headings.heading_rad[k] += T.theta_rad;
+    headings.drift_rad[k] += T.theta_rad;
+    headings.measured_heading_rad[k] += T.theta_rad;
+  }
 }
 
 /// The track laid out along its headings, with the closures accepted so far; the source of a
@@ -100,7 +139,7 @@ MapMaker::Closed MapMaker::close_one_piece() const {
   TurnChecks checks = log_.turn_checks;
   Closed closed{.headings = checks.fuse(log_.track, log_.evidence, params_.heading),
                 .closer = log_.closer,
-                .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}}};
+                .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}, .searches = {}}};
   close_loops(log_.track, closed.headings.heading_rad, log_.track.size(), params_, closed.closer);
   return closed;
 }
@@ -135,16 +174,38 @@ Map MapMaker::map_of(const Closed& closed) const {
   for (HeadingMeasurement& heading : graph.headings) {
     heading.information_per_rad2 /= params_.heading.num_alike;
   }
+  FusedHeadings headings = closed.headings;
+  if (!log_.anchors.empty()) move_by(motion_to_anchors(graph, log_.anchors), graph, headings);
   Map map = assemble_map({.scans = log_.scans,
                           .kept_scans = log_.kept_scans,
                           .track = log_.track,
-                          .headings = closed.headings,
+                          .shares_of_place = log_.shares_of_place,
+                          .sessions = log_.sessions,
+                          .headings = headings,
                           .compared = closed.closer.compared(),
                           .is_joined = closed.joined.is_joined,
                           .graph = graph});
   log_.add_sensors(map);
+  add_searches(closed, map);
   add_certainty(map, params_.motion);
   return map;
+}
+
+void MapMaker::add_searches(const Closed& closed, Map& map) const {
+  for (std::size_t s = 1; s < map.sessions.size(); ++s) {
+    SessionSearch& search = map.sessions[s].search;
+    search = {};
+    const std::size_t first = log_.track.session_begins[s - 1];
+    const std::size_t end =
+        s < log_.track.session_begins.size() ? log_.track.session_begins[s] : log_.track.size();
+    for (std::size_t piece = log_.track.pieces[first]; piece <= log_.track.pieces[end - 1];
+         ++piece) {
+      const SessionSearch& of_piece = closed.joined.searches[piece];
+      search.num_pairs += of_piece.num_pairs;
+      search.num_matched += of_piece.num_matched;
+      search.num_agreeing = std::max(search.num_agreeing, of_piece.num_agreeing);
+    }
+  }
 }
 
 std::vector<ScanSurfacesPtr> MapMaker::surfaces() const {

@@ -32,12 +32,23 @@ void close_loops(const KeyframeTrack& track,
 /// Keyframes at which loops are looked for again.
 [[nodiscard]] std::size_t next_closing(std::size_t num_closed, const MapperParams& params);
 
+/// A keyframe of the map that is gone on with, where that map has it: users know places by it.
+struct AnchoredKeyframe {
+  std::size_t keyframe = 0;
+  Pose2 T_map_sensor;
+};
+
 /// What was tracked and found on the way, of which a map is made. Everything must outlive the maker
 /// of the map.
 struct TrackedLog {
   std::span<const TrackedScan> scans;
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
+  std::span<const double> shares_of_place;  ///< One per keyframe.
+  std::span<const MapSession> sessions;
+  /// The map's frame is the one in which these lie, as well as can be, where they lay. Empty: the
+  /// first keyframe stands at the origin.
+  const std::vector<AnchoredKeyframe>& anchors;
   const std::vector<HeadingEvidence>& evidence;  ///< One per keyframe.
   const TurnChecks& turn_checks;                 ///< As far as turns have been checked.
   const LoopCloser& closer;                      ///< As far as loops have been closed.
@@ -76,6 +87,8 @@ class MapMaker {
                                    const std::vector<MapHypothesis>& hypotheses) const;
   /// The map by the loops that were closed.
   [[nodiscard]] Map map_of(const Closed& closed) const;
+  /// How the session whose keyframes these are was looked for.
+  void add_searches(const Closed& closed, Map& map) const;
   /// The graph's poses after registration of all keyframes.
   [[nodiscard]] std::vector<Pose2> registered_poses(const LoopCloser& closer,
                                                     const PoseGraph& graph) const;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/map/map.hpp"
@@ -39,6 +40,14 @@ class Mapper {
   Mapper();
   /// Throws ParameterError that names the field.
   explicit Mapper(const MapperParams& params);
+  /// Goes on with a map: the scans that come are of another log, and the robot may stand anywhere.
+  /// What was tracked of it is a piece of track like those between which tracking was lost: it is
+  /// joined to the map where the two overlap, and stays apart until then (MapSession, TrackPiece).
+  /// All loops are closed anew; the map's axes and origin stay. Stamps of the two need not be in
+  /// order. Where walls changed, what came later is newer. Throws ParameterError that names the
+  /// field, or where the map does not tell its track (PaperMapper).
+  explicit Mapper(const Map& map);
+  Mapper(const Map& map, const MapperParams& params);  ///< The same, by these parameters.
   /// Ends it; maps that it gave stay.
   ~Mapper();
   /// Leaves the other without parts: it may only be assigned to or ended.
@@ -73,5 +82,15 @@ class Mapper {
   class Parts;  ///< Hidden, so that the parts' headers cost the caller nothing.
   std::unique_ptr<Parts> parts_;
 };
+
+/// One map of several, in the frame of the first: each is a piece of track, or several, and is
+/// joined where it overlaps with what is joined already, as Mapper goes on with a map. What they
+/// share, a log that both were made of, counts once. One that shares no place with the first stays
+/// apart: is_joined(map, session) tells, and MapSession::search why. Where walls changed, the map
+/// whose stamps are later is the newer, or, where their times overlap, the one that is named later.
+/// Throws ParameterError, also where there is no map, or one does not tell its track (PaperMapper).
+[[nodiscard]] Map merge(std::span<const Map> maps);
+/// The same, by these parameters.
+[[nodiscard]] Map merge(std::span<const Map> maps, const MapperParams& params);
 
 }  // namespace setsquare

@@ -99,6 +99,12 @@ struct PieceJoiningParams {
   double joint_sigma_rad = rad_from_deg(1.5);  ///< ... and heading.
   double agreeing_m = 0.5;                     ///< ... on where the piece lies ...
   double agreeing_rad = rad_from_deg(3.0);     ///< ... and how it is turned.
+  /// Of another log nothing tells in which of two rooms that are alike it was. The places that
+  /// agree must lie so far apart ...
+  double min_extent_m = 5.0;
+  /// ... and of the keyframes beside them no larger share may see through the map's walls, or the
+  /// map through theirs.
+  double max_seen_through = 0.3;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -40,7 +40,9 @@ TrackedPose PaperMapper::add(const Scan& scan, PreparedPaperScan current) {
                         .T_map_sensor = T_map_sensor_,
                         .T_map_base = T_map_sensor_ * scan.T_base_sensor.inverse(),
                         .score = tracked.score});
-  kept_.add(tracked, scan.scanner, [&] { return std::make_shared<const Scan>(scan); });
+  if (kept_.takes(tracked, scan.scanner)) {
+    map_.kept_scans.push_back({map_.scans.size() - 1, std::make_shared<const Scan>(scan)});
+  }
   return tracked;
 }
 
@@ -86,10 +88,6 @@ double PaperMapper::measured_heading_rad(const PreparedPaperScan& current) const
   return wrap_to_pi(T_map_sensor_.theta_rad + wrap_to_period(change_rad, 0.5 * kPi));
 }
 
-Map PaperMapper::finish() const {
-  Map map = map_;
-  map.kept_scans = kept_.kept();
-  return map;
-}
+Map PaperMapper::finish() const { return map_; }
 
 }  // namespace setsquare

@@ -60,7 +60,7 @@ class PaperMapper {
   Pose2 T_map_sensor_;
   std::size_t num_rejected_ = 0;  ///< In a row.
   Map map_;
-  KeptScans kept_;
+  KeptScanChoice kept_;
 };
 
 }  // namespace setsquare

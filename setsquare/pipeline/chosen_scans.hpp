@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from map_log, its only caller: which scans, against what is done with them.
+// Apart from log_intake, its only caller: which scans, against what is done with them.
 #pragma once
 
 #include <map>

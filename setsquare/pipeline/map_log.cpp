@@ -7,42 +7,26 @@
 #include <filesystem>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/io/logs/faults/find_faults.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
 #include "setsquare/map/map_summary.hpp"
 #include "setsquare/mapping/mapper.hpp"
-#include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/paper_mapper.hpp"
 #include "setsquare/pipeline/chosen_scans.hpp"
+#include "setsquare/pipeline/log_intake.hpp"
 #include "setsquare/pipeline/run_record.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Surveys the log and feeds its scans and turn rates to a mapper: `add` takes a record.
+/// Reads the log to its end and feeds its scans and turn rates to a mapper: `add` takes a record.
 template <typename Add>
 void feed(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped, Add add) {
-  LogSurvey survey;
-  ChosenScans chosen(mapped.options.log.sensor);
+  LogIntake intake(mapped.options);
   while (const LogRecord* record = reader.next()) {
-    survey.add(*record);
-    if (record->kind == RecordKind::kTurnRate) {
-      add(*record);
-    } else if (record->kind == RecordKind::kScan && chosen.takes(*record, reader.front_sensor())) {
-      mapped.scanner_names.try_emplace(record->scan.scanner, record->sensor);
-      add(*record);
-    }
+    if (intake.takes(*record, reader)) add(*record);
     if (watcher.on_progress) watcher.on_progress(reader.fraction_read());
   }
-  mapped.problems = reader.problems();
-  for (const auto& [name, other] : chosen.repeated()) {
-    mapped.problems.remarks.push_back("sensor " + name + " repeats the sweeps of " + other +
-                                      ": left out");
-  }
-  for (const std::string& name : chosen.absent()) {
-    mapped.problems.remarks.push_back("no scan of sensor " + name);
-  }
-  mapped.findings = find_faults(survey, mapped.problems);
+  intake.tell(reader, mapped);
 }
 
 void map_by_paper(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
@@ -56,11 +40,8 @@ void map_by_paper(LogReader& reader, const MapLogWatcher& watcher, MappedLog& ma
 
 void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& mapped) {
   const MapLogOptions& options = mapped.options;
-  MapperParams params;
-  params.num_threads = options.num_threads;
-  params.audit.is_on = options.is_audited;
-  params.tracker.deskew.trial.is_on = !options.log.sweep_time_s;  // What the user says holds.
-  Mapper mapper(params);
+  const MapperParams params = mapper_params_of(options);
+  Mapper mapper = options.known_map ? Mapper(*options.known_map, params) : Mapper(params);
   feed(reader, watcher, mapped, [&](const LogRecord& record) {
     if (record.kind == RecordKind::kTurnRate) {
       mapper.add_turn_rate(record.stamp, record.turn_rad_per_s.value_or(0.0));
@@ -72,20 +53,22 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
   mapped.map = mapper.finish();
 }
 
-/// A map of nothing would replace the last one. Throws FileError with what is wrong with the log.
+}  // namespace
+
 void require_something_mapped(const MappedLog& mapped) {
   const MapSummary summary = summary_of(mapped.map);
-  if (summary.num_lost < summary.num_scans) return;
+  const Map* const known = mapped.options.known_map.get();
+  const bool has_grown = known == nullptr || mapped.map.scans.size() > known->scans.size();
+  if (summary.num_lost < summary.num_scans && has_grown) return;
   std::string reason =
-      summary.num_scans == 0
+      !has_grown ? "none of its scans could be mapped: too few returns within range"
+      : summary.num_scans == 0
           ? "none of its scans is of the sensor named first, by which the others are judged"
           : fmt::format("none of its {} scans could be mapped: too few returns within range",
                         summary.num_scans);
   for (const LogFinding& finding : mapped.findings) reason += "; " + text_of(finding);
   throw FileError(mapped.name, reason);
 }
-
-}  // namespace
 
 std::string name_of_logs(const std::vector<std::string>& paths) {
   return paths.size() == 1 ? paths.front()
@@ -112,6 +95,9 @@ MappedLog map_log(LogReader& reader,
   if (options.preset == Preset::kPaper && names_several(options.log.sensor)) {
     throw ParameterError("sensor", "the preset \"paper\" maps one scanner");
   }
+  if (options.preset == Preset::kPaper && options.known_map) {
+    throw ParameterError("continue", "the preset \"paper\" cannot go on with a map");
+  }
   MappedLog mapped;
   mapped.name = name;
   mapped.options = options;
@@ -121,8 +107,6 @@ MappedLog map_log(LogReader& reader,
   } else {
     map_by_default(reader, watcher, mapped);
   }
-  mapped.format = reader.format();
-  mapped.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
   require_something_mapped(mapped);
   return mapped;
 }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,9 @@ struct MapLogOptions {
   LogOptions log;                    ///< Which part of the log is read, and what it does not state.
   Preset preset = Preset::kDefault;  ///< Which matcher, and with it which mapper.
   bool uses_odometry = true;         ///< Else it is read and left out.
+  /// A map to go on with (Mapper): the log's scans come after those of the map. May be null.
+  std::shared_ptr<const Map> known_map = nullptr;
+  std::string known_map_name = {};  ///< As the user named it.
   bool is_audited = true;       ///< Whether pairs of scans are matched against the finished map.
   std::size_t num_threads = 1;  ///< Any number gives the same map.
 };
@@ -68,6 +72,9 @@ struct MappedLog {
                                 const std::string& name,
                                 const MapLogOptions& options = {},
                                 const MapLogWatcher& watcher = {});
+
+/// A map of nothing would replace the last one: throws FileError with what is wrong with the log.
+void require_something_mapped(const MappedLog& mapped);
 
 /// What a map file keeps of it beside the map: save_map_file(mapped.map, path,
 /// map_record_of(mapped)).

@@ -79,6 +79,7 @@ Json json_of(const std::map<std::string, Pose2>& mountings) {
 Json json_of_options(const MapLogOptions& options) {
   const double degrees = deg_from_rad(1.0);
   return {{"odometry", options.uses_odometry},
+          {"continue", options.known_map ? Json(options.known_map_name) : Json()},
           {"audit", options.is_audited},
           {"sensor", options.log.sensor.empty() ? Json() : Json(options.log.sensor)},
           {"field_of_view_deg", json_if(options.log.field_of_view_rad, degrees)},

@@ -159,6 +159,41 @@ std::string sentence_on(const OdometryReport& odometry) {
   return text;
 }
 
+std::string reason_apart(const SessionSearch& search) {
+  constexpr std::size_t kFewest = 3;  // PieceJoiningParams::min_agreeing
+  if (search.num_pairs == 0) return "its way is too short to be looked for";
+  if (search.num_matched == 0) {
+    return fmt::format("no place of it was found again: of {} pairs of places none match",
+                       search.num_pairs);
+  }
+  const std::string found =
+      fmt::format("of {} pairs of places {} match, and {} {} on where it lies",
+                  search.num_pairs,
+                  search.num_matched,
+                  search.num_agreeing,
+                  search.num_agreeing == 1 ? "place agrees" : "places agree");
+  return found + (search.num_agreeing < kFewest
+                      ? ": too few"
+                      : ": not enough to tell them from places that look alike");
+}
+
+std::vector<std::string> sentences_on_sessions(const Map& map) {
+  std::vector<std::string> sentences;
+  for (std::size_t s = 1; s < map.sessions.size(); ++s) {
+    const MapSession& session = map.sessions[s];
+    const std::string name =
+        fmt::format("session {} of {}, {} scans", s + 1, map.sessions.size(), session.num_scans);
+    sentences.push_back(is_joined(map, session)
+                            ? fmt::format("{}: joined to the map; {} places agree on where it lies",
+                                          name,
+                                          session.search.num_agreeing)
+                            : fmt::format("{}: kept apart until it can be joined: {}",
+                                          name,
+                                          reason_apart(session.search)));
+  }
+  return sentences;
+}
+
 std::string sentence_on(const SweepReport& sweep) {
   const std::string length = fmt::format("{:.3f} s from a scan's {} beam to its {}",
                                          std::abs(sweep.sweep_s),

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "setsquare/map/gyro_report.hpp"
+#include "setsquare/map/map.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
 #include "setsquare/map/odometry_report.hpp"
 #include "setsquare/map/sweep_report.hpp"
@@ -19,6 +20,13 @@ namespace setsquare {
 /// one scanner alone.
 [[nodiscard]] std::vector<std::string> sentences_on(
     const std::vector<MappedScanner>& scanners, const std::map<std::uint32_t, std::string>& names);
+
+/// What became of each session of a map that was continued or merged but the first: joined, or kept
+/// apart and why. Nothing for a single one.
+[[nodiscard]] std::vector<std::string> sentences_on_sessions(const Map& map);
+
+/// Why a session could not be joined to the map, by how it went when it was looked for.
+[[nodiscard]] std::string reason_apart(const SessionSearch& search);
 
 /// The same of a gyro that the log holds.
 [[nodiscard]] std::string sentence_on(const GyroReport& gyro);

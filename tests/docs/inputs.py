@@ -7,8 +7,8 @@ import shutil
 import subprocess
 
 # In a page's folder from its beginning: links to what was made once.
-NAMES = ["log.clf", "intel.clf", "robot.mcap", "my_bag", "flat.txt", "logs", "truth.tum", "truth.relations",
-         "intel.relations", "intel.local.relations"]
+NAMES = ["log.clf", "intel.clf", "robot.mcap", "my_bag", "flat.txt", "logs", "monday.mcap", "tuesday.mcap", "east_wing", "west_wing",
+         "truth.tum", "truth.relations", "intel.relations", "intel.local.relations"]
 
 
 def _relations(truth, step):
@@ -59,6 +59,9 @@ def make(command, folder):
     (folder / "logs").mkdir()
     for name in ("monday", "tuesday"):
         shutil.copy(folder / "sim/scans.clf", folder / f"logs/{name}.clf")
+        shutil.copy(folder / "robot.mcap", folder / f"{name}.mcap")
+    run("map", "log.clf", "-o", "east_wing")
+    shutil.copytree(folder / "east_wing", folder / "west_wing")
     shutil.copy(folder / "sim/truth.tum", folder / "truth.tum")
     for name, step in (("truth.relations", 10), ("intel.relations", 10), ("intel.local.relations", 2)):
         (folder / name).write_text(_relations(folder / "truth.tum", step))

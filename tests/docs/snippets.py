@@ -6,7 +6,8 @@ A block says its language: sh, cpp, python, cmake, text (which is not run), or a
 comment on the line before may say more:
 
     <!-- not run: needs ROS -->                      the reader sees a command that the test cannot run
-    <!-- not run (`setsquare experiment`): long -->  only the lines that begin so
+    <!-- not run (`setsquare experiment`): long -->  only the lines that begin so, or so:
+    <!-- not run (`setsquare live`, `setsquare replay`): endless -->
     <!-- file: main.cpp -->                          it is a file, which later blocks use
 """
 import re
@@ -19,7 +20,9 @@ _FILE = re.compile(r"<!-- file: (\S+) -->")
 _SPAN = re.compile(r"`(setsquare [^`\n]+)`")
 
 # What a synopsis names in capitals, by the names that the test provides.
-_MEANT = [(r"\bOUT\.mcap\b", "made.mcap"), (r"DIR\|TRAJECTORY\.tum", "out"), (r"\bREFERENCE\.tum\b", "truth.tum"),
+_MEANT = [(r"--continue DIR -o DIR2\b", "--continue out -o out2"), (r"\bDIR DIR2\.\.\. -o DIR3\b", "out out2 -o out3"),
+          (r"\bMAP\.setsquare -o DIR\b", "out/map.setsquare -o rendered"), (r"\bMAP LOG -o DIR\b", "out log.clf -o found"),
+          (r"\bOUT\.mcap\b", "made.mcap"), (r"DIR\|TRAJECTORY\.tum", "out"), (r"\bREFERENCE\.tum\b", "truth.tum"),
           (r"\bFILE\.relations\b", "truth.relations"), (r"\bTRAJECTORY FILE\b", "out/trajectory.tum truth.relations"),
           (r"\bLOG I J\b", "log.clf 0 5"), (r"\bLOG(\.\.\.)?(?=\s)", "log.clf"), (r"-o DIR\b", "-o out")]
 
@@ -75,7 +78,7 @@ def runnable(block):
     """What of a shell block is run: without the lines that are not, and a synopsis made concrete."""
     lines = []
     for line in block.text.splitlines():
-        if block.only and line.startswith(block.only):
+        if block.only and line.startswith(tuple(block.only.split("`, `"))):
             continue
         if line.startswith("setsquare "):
             line = re.sub(r"\s\[-[^\]]*\]", "", line)

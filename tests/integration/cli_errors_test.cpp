@@ -42,7 +42,7 @@ TEST(CommandErrors, WithoutACommandTheCommandsAreListed) {
     EXPECT_THAT(outcome.err, HasSubstr("--help"));
   }
   for (const char* const name :
-       {"info", "map", "render", "match", "explain", "simulate", "evaluate"}) {
+       {"info", "map", "merge", "render", "match", "explain", "simulate", "evaluate"}) {
     EXPECT_THAT(run_setsquare("").err, HasSubstr(std::string("\n  ") + name + " "));
   }
 }

@@ -7,6 +7,8 @@
 #include <random>
 #include <sstream>
 
+#include "tests/io/made_sessions.hpp"
+
 namespace setsquare::testing {
 namespace {
 
@@ -441,6 +443,7 @@ SavedMap made_map(std::uint64_t seed, std::size_t num_scans) {
   run.parameters_json = "{\"b\":2}";
   run.findings_json = "[3]";
   run.num_damaged_records = draw.below(100);
+  draw_sessions(draw, map);
   return saved;
 }
 
@@ -463,6 +466,7 @@ std::string text_of(const SavedMap& saved) {
   list_each(out, "constraints", map.graph.constraints);
   list_each(out, "heading measurements", map.graph.headings);
   list_each(out, "doubts", map.doubts);
+  list_sessions(out, map);
   out.add("kept_scans", map.kept_scans.size());
   for (const KeptScan& kept : map.kept_scans) {
     out.add("index", kept.index);

@@ -204,6 +204,11 @@ TEST(MapFile, IndicesOfNothingAreRefused) {
   expect_refused("pieces[2]", [](Map& map) { map.pieces[2] = {5, 2, true}; });
   expect_refused("pieces[3]", [](Map& map) { map.pieces.push_back({0, 1, true}); });
   expect_refused("pieces[0]", [](Map& map) { map.pieces[0] = {5, ~std::size_t{0}, true}; });
+  expect_refused("sessions[1]", [](Map& map) { map.sessions[1].first_scan = 2; });
+  expect_refused("sessions[1]", [](Map& map) { map.sessions[1].num_scans = ~std::size_t{0}; });
+  expect_refused("T_odom_sensor", [](Map& map) { map.track.T_odom_sensor.pop_back(); });
+  expect_refused("T_odom_sensor[2]", [&](Map& map) { map.track.T_odom_sensor[2].y_m = nan; });
+  expect_refused("motions", [](Map& map) { map.track.motions.emplace_back(); });
   expect_refused("open_stretches[0]", [](Map& map) { map.open_stretches[0].first_scan = 6; });
   expect_refused("undecided_turns[0]", [](Map& map) { map.undecided_turns[0].last_scan = 6; });
   expect_refused("doubts[0]", [](Map& map) { map.doubts[0].num_scans = 7; });

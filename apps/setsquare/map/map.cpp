@@ -26,6 +26,7 @@
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/io/logs/log_chain.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/map/map_summary.hpp"
 #include "setsquare/pipeline/map_log.hpp"
 #include "setsquare/pipeline/run_sentences.hpp"
@@ -39,6 +40,7 @@ struct MapOptions {
   std::string output_path;             ///< A directory; made if it is not there.
   bool is_of_sensor = false;           ///< Poses of the sensor instead of the robot's.
   bool is_strict = false;              ///< Doubts make the exit code 3.
+  std::string known_map_path;          ///< A map to go on with, or its folder; empty: none.
   MapLogOptions mapping;
 };
 
@@ -103,6 +105,7 @@ void tell_findings(std::vector<LogFinding> findings) {
 
 void tell_run(const MappedLog& mapped) {
   const Map& map = mapped.map;
+  for (const std::string& sentence : sentences_on_sessions(map)) std::cout << sentence << "\n";
   for (const std::string& sentence : sentences_on(map.scanners, mapped.scanner_names)) {
     std::cout << sentence << "\n";
   }
@@ -133,7 +136,14 @@ void map_command(MapOptions options) {
   LogOptions log_options = options.mapping.log;
   log_options.scans_only = false;  // The odometry is surveyed, turn rates are used.
   const auto reader = open_logs(options.log_paths, log_options);
-  OutputSet outputs(options.output_path, map_output_names(), options.log_paths);
+  std::vector<std::string> inputs = options.log_paths;
+  if (!options.known_map_path.empty()) {
+    inputs.push_back(map_file_at(options.known_map_path));
+    auto known = std::make_shared<const SavedMap>(load_map_file(inputs.back()));
+    options.mapping.known_map = {known, &known->map};
+    options.mapping.known_map_name = options.known_map_path;
+  }
+  OutputSet outputs(options.output_path, map_output_names(), inputs);
   const MappedLog mapped = map_log_with_progress(*reader, options, clock);
   write_map_outputs(outputs, mapped, options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase, clock);
   std::cout << verdict_text(mapped.map);
@@ -155,6 +165,11 @@ void add_map(CLI::App& application) {
   map->add_option("-o,--output", options->output_path, "Directory for the results; made if absent")
       ->type_name("DIR")
       ->required();
+  map->add_option("--continue",
+                  options->known_map_path,
+                  "Map to go on with: map.setsquare, or the folder that `map` wrote. It is only "
+                  "read; the robot may begin anywhere in it")
+      ->type_name("MAP");
   map->add_flag_callback(
       "--no-odometry",
       [options] { options->mapping.uses_odometry = false; },
@@ -183,8 +198,11 @@ void add_map(CLI::App& application) {
       "again): all of them at the end, or none. docs/formats.md describes them.\n"
       "Pairs of scans are matched against the finished map; the first line says whether they "
       "agree.\n"
+      "With --continue what the log shows is joined to the map where the two share places, in the\n"
+      "map's axes, and kept apart in pieces/N.tum until a later log ties it to the map.\n"
       "Examples:\n"
       "  setsquare map intel.clf -o out\n"
+      "  setsquare map tuesday.bag --continue monday -o both\n"
       "  setsquare map intel.clf -o out --no-odometry\n"
       "  setsquare map robot.clf -o out --sensor all --mounting ROBOTLASER2=-0.2,0,180\n"
       "  zcat intel.clf.gz | setsquare map - -o out");

@@ -52,19 +52,19 @@ bool is_sqlite_file(const std::string& path) {
   return file && beginning == kSqliteMagic;
 }
 
-std::unique_ptr<MessageSource> open_file_of_recording(const std::string& path) {
+}  // namespace
+
+std::unique_ptr<MessageSource> open_recording_file(const std::string& path) {
   if (is_sqlite_file(path)) return std::make_unique<Rosbag2Sqlite>(path);
   auto input = std::make_unique<InputBuffer>(unpack(open_file_source(path)));
   if (auto recording = recording_in(input, path)) return recording;
   throw FormatError(path, "", "neither an SQLite file nor MCAP");
 }
 
-}  // namespace
-
 std::unique_ptr<MessageSource> open_recording_at(const std::string& path) {
   std::error_code ignored;
   if (fs::is_directory(path, ignored) || fs::path(path).filename() == "metadata.yaml") {
-    return std::make_unique<RecordingFolder>(path, open_file_of_recording);
+    return std::make_unique<RecordingFolder>(path, open_recording_file);
   }
   if (is_sqlite_file(path)) return std::make_unique<Rosbag2Sqlite>(path);
   return nullptr;

@@ -15,6 +15,9 @@ class InputBuffer;  // setsquare/io/bytes/input_buffer.hpp
 /// an SQLite file. Null where the path is none of these. Throws FileError, FormatError.
 [[nodiscard]] std::unique_ptr<MessageSource> open_recording_at(const std::string& path);
 
+/// Opens a file of a ROS 2 bag: SQLite or MCAP. Throws FileError, FormatError.
+[[nodiscard]] std::unique_ptr<MessageSource> open_recording_file(const std::string& path);
+
 /// The recording whose bytes `input` holds: a ROS 1 bag, MCAP, or SQLite that came packed or
 /// through a pipe. Null, and `input` untouched, where its beginning is that of none. `name` stands
 /// in messages for the path. Throws FormatError.

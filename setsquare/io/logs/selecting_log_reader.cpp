@@ -16,7 +16,6 @@
 namespace setsquare {
 namespace {
 
-constexpr std::size_t kMaxHeadScans = 64;
 constexpr std::size_t kMaxHeadRecords = 4096;
 
 /// Smaller is more nearly the front laser. RAWLASERn repeats another message, without a mounting.
@@ -122,8 +121,12 @@ void apply_options(const LogOptions& options, Scan& scan) {
 
 SelectingLogReader::SelectingLogReader(std::unique_ptr<RecordStream> stream,
                                        std::string name,
-                                       const LogOptions& options)
-    : stream_(std::move(stream)), name_(std::move(name)), options_(options) {
+                                       const LogOptions& options,
+                                       std::size_t num_head_scans)
+    : stream_(std::move(stream)),
+      name_(std::move(name)),
+      options_(options),
+      num_head_scans_(num_head_scans) {
   if (options_.sensor.empty() || options_.sensor == "all") return;
   std::istringstream names(options_.sensor);
   for (std::string sensor; std::getline(names, sensor, ',');) wanted_.insert(sensor);
@@ -135,7 +138,7 @@ void SelectingLogReader::read_head() {
   std::map<std::string, double> rounding;
   std::size_t num_scans = 0;
   LogRecord record;
-  while (num_scans < kMaxHeadScans && head_.size() < kMaxHeadRecords && stream_->read(record)) {
+  while (num_scans < num_head_scans_ && head_.size() < kMaxHeadRecords && stream_->read(record)) {
     if (record.kind == RecordKind::kScan) {
       ++num_scans;
       measured[record.sensor].push_back(record.scan.T_base_sensor);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <deque>
 #include <map>
 #include <memory>
@@ -18,9 +19,13 @@ namespace setsquare {
 /// laser and to settle each laser's mounting, then hands the records on.
 class SelectingLogReader final : public LogReader {
  public:
+  static constexpr std::size_t kUsualHeadScans = 64;
+
+  /// `num_head_scans`: read before the first record is handed on. One where nothing can wait.
   SelectingLogReader(std::unique_ptr<RecordStream> stream,
                      std::string name,
-                     const LogOptions& options);
+                     const LogOptions& options,
+                     std::size_t num_head_scans = kUsualHeadScans);
 
   const LogRecord* next() override;
   const LogProblems& problems() const override { return stream_->problems(); }
@@ -60,6 +65,7 @@ class SelectingLogReader final : public LogReader {
   std::string name_;
   std::set<std::string> wanted_;  ///< Sensors by name; none: the front one, or all.
   LogOptions options_;
+  std::size_t num_head_scans_;
   bool is_head_read_ = false;
   bool is_end_reported_ = false;
   std::deque<LogRecord> head_;

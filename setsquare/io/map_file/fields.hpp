@@ -122,6 +122,48 @@ void describe(Archive& archive, Is<TrackPiece> auto& piece) {
 }
 
 template <typename Archive>
+void describe(Archive& archive, Is<SessionSearch> auto& search) {
+  auto& [num_pairs, num_matched, num_agreeing] = search;
+  archive(num_pairs, num_matched, num_agreeing);
+}
+
+template <typename Archive>
+void describe(Archive& archive, Is<MapSession> auto& session) {
+  auto& [first_scan, num_scans, recency, search] = session;
+  archive(first_scan, num_scans, recency, search);
+}
+
+template <typename Archive>
+void describe(Archive& archive, Is<MotionCovariance> auto& covariance) {
+  auto& [translation_m2,
+         rotation_rad2,
+         open_sigma_m,
+         open_stretch,
+         slip_sigma_m,
+         has_odometry,
+         is_long_step] = covariance;
+  archive(translation_m2,
+          rotation_rad2,
+          open_sigma_m,
+          open_stretch,
+          slip_sigma_m,
+          has_odometry,
+          is_long_step);
+}
+
+template <typename Archive>
+void describe(Archive& archive, Is<TrackedMotion> auto& motion) {
+  auto& [T_odom_body, covariance, stretch, share_of_place] = motion;
+  archive(T_odom_body, covariance, stretch, share_of_place);
+}
+
+template <typename Archive>
+void describe(Archive& archive, Is<MapTrack> auto& track) {
+  auto& [T_odom_sensor, motions] = track;
+  archive(T_odom_sensor, motions);
+}
+
+template <typename Archive>
 void describe(Archive& archive, Is<LoopClosure> auto& closure) {
   auto& [stamp_i, stamp_j, T_i_j, axes, is_accepted, weight, reason] = closure;
   archive(stamp_i, stamp_j, T_i_j, axes, is_accepted, weight, reason);

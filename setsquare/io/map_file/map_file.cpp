@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 #include <unordered_map>
 #include <utility>
@@ -72,6 +73,9 @@ std::optional<std::vector<KeptScan>> kept_scans_of(const KeptTable& table) {
   return kept_scans;
 }
 
+/// The section that a map may do without: it cannot be gone on with then.
+constexpr std::string_view kSessions = "SESS";
+
 /// The sections in their order, and what is in each; the kept scans stand in their table.
 template <typename SomeMap, typename SomeRecord, typename SomeTable, typename Visit>
 void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const Visit& visit) {
@@ -80,6 +84,8 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
          headings,
          frames,
          pieces,
+         sessions,
+         track,
          closures,
          open_stretches,
          undecided_turns,
@@ -97,6 +103,7 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
   visit("POSE", scans);
   visit("KEYS", keyframes, headings, frames);
   visit("TRAC", pieces, open_stretches, undecided_turns);
+  visit("SESS", sessions, track);
   visit("CLOS", closures);
   visit("GRAF", graph);
   visit("SENS", scanners, gyro, odometry, sweep, num_with_odometry);
@@ -109,6 +116,10 @@ class UnreadSections {
  public:
   UnreadSections(Sections file, const std::string& name)
       : sections_(std::move(file.sections)), name_(name) {}
+
+  [[nodiscard]] bool holds(const char* id) const {
+    return std::ranges::find(sections_, id, &Section::id) != sections_.end();
+  }
 
   /// Reads the fields of a section. Throws FormatError where it is not there or is not what it
   /// should be.
@@ -178,8 +189,9 @@ SavedMap map_from_bytes(std::string_view bytes, const std::string& name) {
   KeptTable table;
   std::vector<std::string> known;
   for_each_section(saved.map, saved.record, table, [&](const char* id, auto&... fields) {
-    sections.read(id, fields...);
     known.emplace_back(id);
+    if (std::string_view(id) == kSessions && !sections.holds(id)) return;
+    sections.read(id, fields...);
   });
   sections.require_none_left(
       [&](const std::string& id) { return std::ranges::find(known, id) != known.end(); });

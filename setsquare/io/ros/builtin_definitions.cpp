@@ -25,7 +25,7 @@ constexpr std::array<KnownType, 2> kRos1Types = {{
      "geometry_msgs/Pose origin\n"},
 }};
 
-constexpr std::array<KnownType, 25> kKnownTypes = {{
+constexpr std::array<KnownType, 28> kKnownTypes = {{
     {"builtin_interfaces/Time", "int32 sec\nuint32 nanosec\n"},
     {"std_msgs/Header", "builtin_interfaces/Time stamp\nstring frame_id\n"},
     {"geometry_msgs/Point", "float64 x\nfloat64 y\nfloat64 z\n"},
@@ -69,6 +69,12 @@ constexpr std::array<KnownType, 25> kKnownTypes = {{
      "geometry_msgs/Pose origin\n"},
     {"nav_msgs/OccupancyGrid", "std_msgs/Header header\nnav_msgs/MapMetaData info\nint8[] data\n"},
     {"tf2_msgs/TFMessage", "geometry_msgs/TransformStamped[] transforms\n"},
+    {"diagnostic_msgs/KeyValue", "string key\nstring value\n"},
+    {"diagnostic_msgs/DiagnosticStatus",
+     "byte level\nstring name\nstring message\nstring hardware_id\n"
+     "diagnostic_msgs/KeyValue[] values\n"},
+    {"diagnostic_msgs/DiagnosticArray",
+     "std_msgs/Header header\ndiagnostic_msgs/DiagnosticStatus[] status\n"},
     {"tf/tfMessage", "geometry_msgs/TransformStamped[] transforms\n"},
 }};
 

@@ -57,6 +57,15 @@ void write_pose(const PoseStamped& pose, CdrWriter& writer) {
   write_quaternion(pose.orientation, writer);
 }
 
+void write_metadata(const OccupancyGrid& grid, CdrWriter& writer) {
+  write_time(grid.stamp, writer);
+  writer.write(single_precision(grid.resolution_m));
+  writer.write(grid.width);
+  writer.write(grid.height);
+  write_vector(grid.origin_m, writer);
+  write_quaternion(grid.origin_orientation, writer);
+}
+
 }  // namespace
 
 void encode(const LaserScan& scan, CdrWriter& writer) {
@@ -112,15 +121,38 @@ void encode(const Path& path, CdrWriter& writer) {
   for (const PoseStamped& pose : path.poses) write_pose(pose, writer);
 }
 
+void encode(const PoseWithCovarianceStamped& pose, CdrWriter& writer) {
+  writer.start();
+  write_pose(pose, writer);
+  for (const double covariance : pose.covariance) writer.write(covariance);
+}
+
+void encode(const DiagnosticArray& diagnostics, CdrWriter& writer) {
+  writer.start();
+  write_header(diagnostics.stamp, "", writer);
+  writer.write_count(diagnostics.statuses.size());
+  for (const DiagnosticStatus& status : diagnostics.statuses) {
+    writer.write(static_cast<std::uint8_t>(status.level));
+    writer.write_text(status.name);
+    writer.write_text(status.message);
+    writer.write_text(status.hardware_id);
+    writer.write_count(status.values.size());
+    for (const auto& [key, value] : status.values) {
+      writer.write_text(key);
+      writer.write_text(value);
+    }
+  }
+}
+
+void encode_metadata(const OccupancyGrid& grid, CdrWriter& writer) {
+  writer.start();
+  write_metadata(grid, writer);
+}
+
 void encode(const OccupancyGrid& grid, CdrWriter& writer) {
   writer.start();
   write_header(grid.stamp, grid.frame_id, writer);
-  write_time(grid.stamp, writer);
-  writer.write(single_precision(grid.resolution_m));
-  writer.write(grid.width);
-  writer.write(grid.height);
-  write_vector(grid.origin_m, writer);
-  write_quaternion(grid.origin_orientation, writer);
+  write_metadata(grid, writer);
   writer.write_sequence<std::int8_t>(grid.cells);
 }
 

@@ -16,9 +16,13 @@ void encode(const LaserScan& scan, CdrWriter& writer);
 void encode(const Odometry& odometry, CdrWriter& writer);
 void encode(const TfMessage& message, CdrWriter& writer);
 void encode(const PoseStamped& pose, CdrWriter& writer);
+void encode(const PoseWithCovarianceStamped& pose, CdrWriter& writer);
 void encode(const Path& path, CdrWriter& writer);
+void encode(const DiagnosticArray& diagnostics, CdrWriter& writer);
 
 /// The map's load time is written as its stamp.
 void encode(const OccupancyGrid& grid, CdrWriter& writer);
+/// nav_msgs/MapMetaData alone.
+void encode_metadata(const OccupancyGrid& grid, CdrWriter& writer);
 
 }  // namespace setsquare::ros

@@ -10,6 +10,7 @@
 #include <Eigen/Geometry>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/timestamp.hpp"
@@ -80,8 +81,10 @@ struct PoseStamped {
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
 
-/// geometry_msgs/PoseWithCovarianceStamped, without the covariance.
-struct PoseWithCovarianceStamped : PoseStamped {};
+/// geometry_msgs/PoseWithCovarianceStamped. The covariance is written, not read.
+struct PoseWithCovarianceStamped : PoseStamped {
+  std::array<double, 36> covariance{};  ///< Of x, y, z, turns about x, y, z; row by row.
+};
 
 /// sensor_msgs/Imu. A covariance that begins with -1 says that its quantity is not measured.
 struct Imu {
@@ -128,6 +131,23 @@ struct OccupancyGrid {
   Eigen::Vector3d origin_m = Eigen::Vector3d::Zero();  ///< Of the lower left corner of cell (0, 0).
   Eigen::Quaterniond origin_orientation = Eigen::Quaterniond::Identity();
   std::vector<std::int8_t> cells;  ///< Row by row from below: 0 to 100 occupied, -1 unknown.
+};
+
+/// diagnostic_msgs/DiagnosticStatus.
+struct DiagnosticStatus {
+  enum class Level : std::uint8_t { kOk, kWarning, kError, kStale };
+
+  Level level = Level::kOk;
+  std::string name;
+  std::string message;
+  std::string hardware_id;
+  std::vector<std::pair<std::string, std::string>> values;
+};
+
+/// diagnostic_msgs/DiagnosticArray.
+struct DiagnosticArray {
+  Timestamp stamp;
+  std::vector<DiagnosticStatus> statuses;
 };
 
 }  // namespace setsquare::ros

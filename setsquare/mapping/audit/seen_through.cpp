@@ -62,6 +62,10 @@ std::vector<std::size_t> other_passes(std::size_t keyframe,
   return passes;
 }
 
+SurfaceSamples samples_of(const SurfacePoints& all) {
+  return sample_surface(all, direction_balanced_weights(all, angle_histogram(all)), kNumSamples);
+}
+
 bool is_seen_through(const SurfaceSamples& points,
                      const Keyframe& by,
                      const Pose2& T_by_points,
@@ -86,8 +90,7 @@ std::size_t num_seen_through(const KeyframeTrack& track,
     const SurfacePoints& all = track.keyframes[k]->points();
     const auto passes = other_passes(k, T_map_sensor, way_m, places);
     if (passes.empty() || all.size() == 0) return;
-    const SurfaceSamples points =
-        sample_surface(all, direction_balanced_weights(all, angle_histogram(all)), kNumSamples);
+    const SurfaceSamples points = samples_of(all);
     PointMarks marks;
     for (const std::size_t by : passes) {
       const Pose2 T_by_points = T_map_sensor[by].inverse() * T_map_sensor[k];
@@ -98,6 +101,14 @@ std::size_t num_seen_through(const KeyframeTrack& track,
   });
   return static_cast<std::size_t>(
       std::count(is_contradicted.begin(), is_contradicted.end(), std::uint8_t{1}));
+}
+
+bool see_through_each_other(const Keyframe& a, const Keyframe& b, const Pose2& T_a_b) {
+  if (a.points().size() == 0 || b.points().size() == 0) return false;
+  PointMarks marks_a;
+  PointMarks marks_b;
+  return is_seen_through(samples_of(b.points()), a, T_a_b, marks_a) ||
+         is_seen_through(samples_of(a.points()), b, T_a_b.inverse(), marks_b);
 }
 
 }  // namespace setsquare

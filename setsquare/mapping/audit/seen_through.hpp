@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from map_maker, its only caller: a map against itself, tested without closures.
+// A map against itself, without closures.
 #pragma once
 
 #include <cstddef>
@@ -16,5 +16,9 @@ namespace setsquare {
 [[nodiscard]] std::size_t num_seen_through(const KeyframeTrack& track,
                                            std::span<const Pose2> T_map_sensor,
                                            std::size_t num_threads);
+
+/// Whether either of two keyframes saw through a good part of the walls that the other one shows,
+/// where `b` stands at `T_a_b` seen from `a`.
+[[nodiscard]] bool see_through_each_other(const Keyframe& a, const Keyframe& b, const Pose2& T_a_b);
 
 }  // namespace setsquare

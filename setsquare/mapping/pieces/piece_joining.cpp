@@ -13,6 +13,7 @@
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/pieces/place_signature.hpp"
+#include "setsquare/mapping/pieces/twin.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/agreed_place.hpp"
@@ -62,6 +63,7 @@ class PieceJoiner {
     std::iota(groups_.begin(), groups_.end(), std::size_t{0});
     joined_.turn_rad.assign(num_pieces, 0.0);
     joined_.is_joined.assign(num_pieces, false);
+    joined_.searches.resize(num_pieces);
     const std::size_t spacing = closing.station_spacing * track.num_scanners();
     for (std::size_t k = 0; k < track.size(); k += spacing) add_place(k);
   }
@@ -69,7 +71,8 @@ class PieceJoiner {
   JoinedPieces join_all() {
     if (places_.empty()) return joined_;
     for (std::size_t k = 1; k < track_.size(); ++k) {
-      if (track_.pieces[k] != track_.pieces[k - 1]) join_across_break(k);
+      const bool is_break = track_.pieces[k] != track_.pieces[k - 1];
+      if (is_break && !std::ranges::binary_search(track_.session_begins, k)) join_across_break(k);
     }
     const std::size_t main = largest_group();
     // A group that finds no place may find one when others have been joined.
@@ -111,10 +114,13 @@ class PieceJoiner {
     return places;
   }
 
-  /// The group with the most places, the earliest of several.
+  /// The group with the most places, the earliest of several. Where a map is gone on with, only its
+  /// own pieces count.
   [[nodiscard]] std::size_t largest_group() const {
+    const std::size_t num_known =
+        track_.num_known == 0 ? groups_.size() : track_.pieces[track_.num_known - 1] + 1;
     std::vector<std::size_t> num_places(groups_.size());
-    for (std::size_t p = 0; p < groups_.size(); ++p) num_places[groups_[p]] += places_[p].size();
+    for (std::size_t p = 0; p < num_known; ++p) num_places[groups_[p]] += places_[p].size();
     return static_cast<std::size_t>(std::max_element(num_places.begin(), num_places.end()) -
                                     num_places.begin());
   }
@@ -165,18 +171,69 @@ class PieceJoiner {
       if (!is_long_step) {
         std::erase_if(across, [&](const Proposal& proposal) { return !is_as_tracked(proposal); });
       }
-      const auto agreed = most_agreed(across, &weight_in, params_.min_votes_across_break);
+      const auto agreed = agreed_alone(across, &weight_in, params_.min_votes_across_break);
       if (!agreed.empty()) merge(sought, known, agreed);
     }
   }
 
   bool join_anywhere(std::size_t group, std::size_t main) {
     if (places_of(group).size() < params_.min_agreeing) return false;
-    const std::vector<Proposal> agreed = most_agreed(
-        verified(propose(group, main)), &places_in, static_cast<double>(params_.min_agreeing));
+    const std::vector<Proposal> proposed = propose(group, main);
+    const std::vector<Proposal> right = verified(proposed);
+    note_search(group,
+                {.num_pairs = proposed.size(),
+                 .num_matched = right.size(),
+                 .num_agreeing = static_cast<std::size_t>(places_in(most_agreed(right)))});
+    const bool is_of_another = is_of_another_session(group, main);
+    const std::vector<Proposal> agreed = agreed_alone(right,
+                                                      is_of_another ? &places_seen_in : &places_in,
+                                                      static_cast<double>(params_.min_agreeing));
     if (agreed.empty()) return false;
+    if (is_of_another &&
+        (2.0 * places_seen_in(agreed) < places_in(agreed) ||
+         may_be_twin(claim_of(agreed, group, main), track_, T_map_sensor_, params_))) {
+      return false;
+    }
     merge(group, main, agreed);
     return true;
+  }
+
+  /// The session that a keyframe is of.
+  [[nodiscard]] std::size_t session_of(std::size_t keyframe) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(track_.session_begins, keyframe) -
+                                    track_.session_begins.begin());
+  }
+
+  /// Whether the two groups have no session in common, whose odometry or gaps would tell more.
+  [[nodiscard]] bool is_of_another_session(std::size_t group, std::size_t main) const {
+    std::set<std::size_t> sessions;
+    for (std::size_t k = 0; k < track_.size(); ++k) {
+      if (group_of(k) == main) sessions.insert(session_of(k));
+    }
+    for (std::size_t k = 0; k < track_.size(); ++k) {
+      if (group_of(k) == group && sessions.contains(session_of(k))) return false;
+    }
+    return true;
+  }
+
+  /// The agreement as may_be_twin() asks for it.
+  [[nodiscard]] JoiningClaim claim_of(const std::vector<Proposal>& agreed,
+                                      std::size_t group,
+                                      std::size_t main) const {
+    JoiningClaim claim{
+        .T_map_piece = agreed.front().T_map_piece, .places = {}, .known = {}, .piece = {}};
+    for (const Proposal& proposal : agreed) claim.places.push_back(proposal.sought);
+    for (std::size_t k = 0; k < track_.size(); ++k) {
+      claim.known.push_back(group_of(k) == main);
+      claim.piece.push_back(group_of(k) == group);
+    }
+    return claim;
+  }
+
+  void note_search(std::size_t group, const SessionSearch& search) {
+    for (std::size_t piece = 0; piece < groups_.size(); ++piece) {
+      if (groups_[piece] == group) joined_.searches[piece] = search;
+    }
   }
 
   /// The median of the turns that the joints give for the tracked headings.
@@ -317,11 +374,9 @@ class PieceJoiner {
     return agree(proposal, tracked);
   }
 
-  /// The proposals that agree with the one that has most votes of places; none where it has too few
-  /// votes, or another place has half as many votes.
+  /// The proposals that agree with the one that has most votes.
   [[nodiscard]] std::vector<Proposal> most_agreed(const std::vector<Proposal>& proposals,
-                                                  const Votes& num_votes,
-                                                  double min_votes) const {
+                                                  const Votes& num_votes = &places_in) const {
     std::vector<Proposal> best;
     for (const Proposal& centre : proposals) {
       std::vector<Proposal> agreeing = {centre};
@@ -330,18 +385,20 @@ class PieceJoiner {
       }
       if (num_votes(agreeing) > num_votes(best)) best = std::move(agreeing);
     }
+    return best;
+  }
+
+  /// The same; none where it has too few votes, or another place has half as many votes.
+  [[nodiscard]] std::vector<Proposal> agreed_alone(const std::vector<Proposal>& proposals,
+                                                   const Votes& num_votes,
+                                                   double min_votes) const {
+    std::vector<Proposal> best = most_agreed(proposals, num_votes);
     if (num_votes(best) < min_votes) return {};
     std::vector<Proposal> others;
     for (const Proposal& proposal : proposals) {
       if (!agree(best.front(), proposal)) others.push_back(proposal);
     }
-    for (const Proposal& centre : others) {
-      std::vector<Proposal> rivals;
-      for (const Proposal& other : others) {
-        if (agree(centre, other)) rivals.push_back(other);
-      }
-      if (2.0 * num_votes(rivals) >= num_votes(best)) return {};
-    }
+    if (2.0 * num_votes(most_agreed(others, num_votes)) >= num_votes(best)) return {};
     return best;
   }
 
@@ -350,6 +407,19 @@ class PieceJoiner {
     std::set<std::size_t> places;
     for (const Proposal& proposal : proposals) places.insert(proposal.sought);
     return static_cast<double>(places.size());
+  }
+  /// The same, where a place counts the less the more of its walls are contradicted: what looks
+  /// like it is not yet it.
+  [[nodiscard]] static double places_seen_in(const std::vector<Proposal>& proposals) {
+    constexpr double kNoPlace = 0.1;  // So much is contradicted at most (ClosureVerdictParams).
+    std::map<std::size_t, double> places;
+    for (const Proposal& proposal : proposals) {
+      double& place = places[proposal.sought];
+      place = std::max(place, 1.0 - proposal.places.contradiction / kNoPlace);
+    }
+    double sum = 0.0;
+    for (const auto& [place, votes] : places) sum += votes;
+    return sum;
   }
   /// Votes of matches across a break, where a scan or two is all there may be.
   [[nodiscard]] static double weight_in(const std::vector<Proposal>& proposals) {
@@ -384,6 +454,8 @@ void PieceJoiningParams::validate() const {
   require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
   require_positive(agreeing_m, "joining.agreeing_m");
   require_positive(agreeing_rad, "joining.agreeing_rad");
+  require_not_negative(min_extent_m, "joining.min_extent_m");
+  require_not_negative(max_seen_through, "joining.max_seen_through");
 }
 
 JoinedPieces join_pieces(const KeyframeTrack& track,

@@ -101,6 +101,15 @@ Json json_from_poses(const std::vector<MappedScan>& scans, Timestamp start) {
   return json;
 }
 
+/// The first scans of all sessions but the first one.
+Json session_begins(const Map& map) {
+  Json begins = Json::array();
+  for (std::size_t s = 1; s < map.sessions.size(); ++s) {
+    begins.push_back(map.sessions[s].first_scan);
+  }
+  return begins;
+}
+
 /// The scans that closures are of, each once, in the order in which they are first named.
 class ShownScans {
  public:
@@ -303,6 +312,7 @@ std::string map_report_json(const MapReport& report) {
   json["grid_heading"] = report.grid != nullptr ? report.grid->T_map_grid().theta_rad : 0.0;
   json["map"] = report.grid != nullptr ? json_from_grid(*report.grid) : Json(nullptr);
   json["poses"] = json_from_poses(map.scans, start);
+  json["session_begins"] = session_begins(map);
   json["scans"] = json_from_scans(map, shown, start);
   json["closures"] = json_from_closures(closures, shown);
   json["headings"] = json_from_headings(map, start);

@@ -52,11 +52,21 @@ void leave_out_unplaced(std::vector<Eigen::Vector2d>& path_cells, Scans scans) {
 void draw_path(Image& image,
                const MapLayout& layout,
                std::span<const Eigen::Vector2d> path_cells,
-               Scans scans) {
+               const MapPictureLayers& layers) {
+  const Scans scans = layers.scans;
+  const auto begins_session = [&](std::size_t scan) {
+    return std::ranges::any_of(
+        layers.sessions, [&](const MapSession& session) { return session.first_scan == scan; });
+  };
   for (const StatusStyle& style : kStatusStyles) {
     std::vector<PixelPoint> line;
     for (std::size_t i = 1; i < path_cells.size(); ++i) {
       if (!has_style(scans[i], style)) continue;
+      if (begins_session(i)) {
+        line.push_back(kGap);
+        line.push_back(layout.pixel_of(path_cells[i]));
+        continue;
+      }
       if (i == 1 || !has_style(scans[i - 1], style)) {
         line.push_back(kGap);
         line.push_back(layout.pixel_of(path_cells[i - 1]));
@@ -130,7 +140,7 @@ Image layered_map_picture(const OccupancyGrid& grid,
       image, {0, 0}, PixelPoint(layout.width_px, layout.map_height_px), palette::kUnknown);
   draw_cells(image, layout.left_px, 0, grid, layout.box, layout.scale);
   draw_closures(image, layout, closures);
-  draw_path(image, layout, path, layers.scans);
+  draw_path(image, layout, path, layers);
   const auto is_placed = [](const Eigen::Vector2d& place) { return place.allFinite(); };
   const auto first = std::find_if(path.begin(), path.end(), is_placed);
   const auto last = std::find_if(path.rbegin(), path.rend(), is_placed);

@@ -28,8 +28,9 @@ struct MapPictureLayers {
   /// The robot's poses, joined in their order, each in the colour of its status; those that are not
   /// placed are gaps.
   std::span<const MappedScan> scans;
-  std::span<const LoopClosure> closures;  ///< Of scans with those stamps.
-  std::span<const MapDoubt> doubts = {};  ///< Numbered from 1 in their order.
+  std::span<const LoopClosure> closures;      ///< Of scans with those stamps.
+  std::span<const MapDoubt> doubts = {};      ///< Numbered from 1 in their order.
+  std::span<const MapSession> sessions = {};  ///< Their ways are not joined to each other.
 };
 
 /// A map for people: walls, free space, loop closures, the robot's path with its start and end, a

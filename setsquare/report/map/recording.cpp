@@ -33,36 +33,6 @@ bool has_moved(const Pose2& from, const Pose2& to) {
          std::abs(wrap_to_pi(to.theta_rad - from.theta_rad)) >= kTurn_rad;
 }
 
-std::int8_t cell_value(CellState state) {
-  switch (state) {
-    case CellState::kOccupied:
-      return 100;
-    case CellState::kFree:
-      return 0;
-    case CellState::kUnknown:
-      break;
-  }
-  return -1;
-}
-
-ros::OccupancyGrid message_from_grid(const OccupancyGrid& grid, Timestamp stamp) {
-  ros::OccupancyGrid message;
-  message.stamp = stamp;
-  message.frame_id = kMapFrame;
-  message.resolution_m = grid.resolution_m();
-  message.width = static_cast<std::uint32_t>(grid.num_columns());
-  message.height = static_cast<std::uint32_t>(grid.num_rows());
-  message.origin_m = {grid.T_map_grid().x_m, grid.T_map_grid().y_m, 0.0};
-  message.origin_orientation = quaternion_from_yaw(grid.T_map_grid().theta_rad);
-  message.cells.reserve(grid.values().size());
-  for (std::int32_t row = 0; row < grid.num_rows(); ++row) {
-    for (std::int32_t column = 0; column < grid.num_columns(); ++column) {
-      message.cells.push_back(cell_value(grid.state({column, row})));
-    }
-  }
-  return message;
-}
-
 }  // namespace
 
 MapRecording::MapRecording(McapWriter::Sink sink,
@@ -168,7 +138,7 @@ void MapRecording::write_map(Timestamp stamp) {
   for (const InsertedScan& inserted : inserted_) {
     placed.push_back({&inserted.scan, inserted.T_map_sensor});
   }
-  ros::encode(message_from_grid(grid_from_scans(placed), stamp), cdr_);
+  ros::encode(message_from_grid(grid_from_scans(placed), kMapFrame, stamp), cdr_);
   file_.write(map_, stamp, cdr_.message());
 }
 

@@ -110,6 +110,26 @@ Json json_from(const SweepReport& sweep) {
           {"turns", sweep.num_turns}};
 }
 
+Json json_from(const MapSession& session, const Map& map) {
+  const std::size_t last = session.first_scan + session.num_scans - 1;
+  return {{"first_scan", session.first_scan},
+          {"num_scans", session.num_scans},
+          {"first_stamp", to_string(map.scans[session.first_scan].stamp)},
+          {"last_stamp", to_string(map.scans[last].stamp)},
+          {"recency", session.recency},
+          {"joined", is_joined(map, session)},
+          {"pairs_compared", session.search.num_pairs},
+          {"pairs_matched", session.search.num_matched},
+          {"places_agreeing", session.search.num_agreeing}};
+}
+
+Json json_from(const ChangedPlace& place) {
+  return {{"what", place.is_gone ? "gone" : "new"},
+          {"x_m", rounded(place.place_m.x())},
+          {"y_m", rounded(place.place_m.y())},
+          {"cells", place.num_cells}};
+}
+
 Json closure_counts(const MapSummary& summary) {
   return {{"compared", summary.num_compared_closures},
           {"accepted", summary.num_accepted_closures},
@@ -150,7 +170,10 @@ Json array_from_text(const std::string& text, const char* name) {
 
 }  // namespace
 
-std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
+std::string run_json(const Map& map,
+                     const RunRecord& run,
+                     PoseOf pose_of,
+                     std::span<const ChangedPlace> changes) {
   const MapSummary summary = summary_of(map);
   const Json json = {{"version", run.version},
                      {"log", run.log},
@@ -172,6 +195,8 @@ std::string run_json(const Map& map, const RunRecord& run, PoseOf pose_of) {
                      {"audit", json_from_audit(map)},
                      {"doubts", json_from_doubts(map)},
                      {"building_frames", array_from(map.frames)},
+                     {"sessions", array_from(map.sessions, map)},
+                     {"changed_places", array_from(changes)},
                      {"pieces", array_from(map.pieces, map)},
                      {"open_stretches", array_from(map.open_stretches, map)},
                      {"stretches", array_from(status_stretches(map), map)},

@@ -30,7 +30,8 @@ std::string png_of(const Map& map,
                    const OccupancyGrid& grid,
                    std::span<const LoopClosure> closures,
                    int num_threads) {
-  const MapPictureLayers layers{.scans = map.scans, .closures = closures, .doubts = map.doubts};
+  const MapPictureLayers layers{
+      .scans = map.scans, .closures = closures, .doubts = map.doubts, .sessions = map.sessions};
   if (!map.frames.empty()) return png_from_image(layered_map_picture(grid, layers));
   const double walls_rad = building_heading_rad(placed_scans(map));
   return png_from_image(layered_map_picture(occupancy_grid(map, num_threads, walls_rad), layers));
@@ -55,7 +56,7 @@ void make_map_files(
     if (options.on_stage) options.on_stage(stage);
   };
   begin("grid");
-  const OccupancyGrid grid = occupancy_grid(map, options.num_threads);
+  const auto [grid, changes] = occupancy_grid_with_changes(map, options.num_threads);
   const MapFiles files = map_files_from_grid(grid, "map.pgm");
   add("map.pgm", files.pgm);
   add("map.yaml", files.yaml);
@@ -81,7 +82,7 @@ void make_map_files(
   add(kMapFileName,
       map_file_bytes(map,
                      {.title = options.title, .pose_of = options.pose_of, .run = options.run}));
-  add("run.json", run_json(map, options.run, options.pose_of));
+  add("run.json", run_json(map, options.run, options.pose_of, changes));
 }
 
 std::vector<std::string> save_map(const Map& map,

@@ -3,10 +3,10 @@
 // The run in one sentence, its tables and the words of the page.
 
 /** Of what is placed in the map. */
-function pathLength({ x, y, condition }) {
+function pathLength({ x, y, condition, begins }) {
   let metres = 0;
   for (let k = 1; k < x.length; ++k) {
-    if (condition[k] === kNotPlaced || condition[k - 1] === kNotPlaced) continue;
+    if (condition[k] === kNotPlaced || condition[k - 1] === kNotPlaced || begins.has(k)) continue;
     metres += Math.hypot(x[k] - x[k - 1], y[k] - y[k - 1]);
   }
   return metres;

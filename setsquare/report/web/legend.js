@@ -19,7 +19,7 @@ const bandSwatch = (color, dash) => drawnSwatch('<path d="M2 8h22" stroke="var(-
 function lengthIn(poses, code) {
   let metres = 0;
   for (let k = 1; k < poses.t.length; ++k) {
-    if (poses.condition[k] === code) metres += Math.hypot(poses.x[k] - poses.x[k - 1], poses.y[k] - poses.y[k - 1]);
+    if (poses.condition[k] === code && !poses.begins.has(k)) metres += Math.hypot(poses.x[k] - poses.x[k - 1], poses.y[k] - poses.y[k - 1]);
   }
   return { metres, count: stretches(poses, [code]).length };
 }

@@ -46,7 +46,7 @@ class TrackDrawing {
     context.beginPath();
     let last = -2;
     for (let k = 1; k < this.count; ++k) {
-      if (!belongs(k)) continue;
+      if (!belongs(k) || this.poses.begins.has(k)) continue;
       if (last !== k - 1) context.moveTo(columns[k - 1], rows[k - 1]);
       context.lineTo(columns[k], rows[k]);
       last = k;
@@ -93,7 +93,7 @@ class TrackDrawing {
     let from = 0;
     let tone = -1;  // Of the stretch before, where the line goes on from it.
     for (let k = 1; k < this.count; ++k) {
-      if (!this.isPlaced(k) || !this.isPlaced(from)) {
+      if (!this.isPlaced(k) || !this.isPlaced(from) || this.poses.begins.has(k)) {
         from = k;
         tone = -1;
         continue;

@@ -6,6 +6,21 @@
 #include <cmath>
 
 namespace setsquare {
+namespace {
+
+std::int8_t cell_value(CellState state) {
+  switch (state) {
+    case CellState::kOccupied:
+      return 100;
+    case CellState::kFree:
+      return 0;
+    case CellState::kUnknown:
+      break;
+  }
+  return -1;
+}
+
+}  // namespace
 
 std::string laser_topic_name(const std::string& sensor, bool is_first) {
   if (sensor.starts_with('/')) return sensor;
@@ -55,6 +70,26 @@ ros::TransformStamped transform_from_pose(Timestamp stamp,
   transform.translation_m = {T_parent_child.x_m, T_parent_child.y_m, 0.0};
   transform.rotation = quaternion_from_yaw(T_parent_child.theta_rad);
   return transform;
+}
+
+ros::OccupancyGrid message_from_grid(const OccupancyGrid& grid,
+                                     const std::string& frame,
+                                     Timestamp stamp) {
+  ros::OccupancyGrid message;
+  message.stamp = stamp;
+  message.frame_id = frame;
+  message.resolution_m = grid.resolution_m();
+  message.width = static_cast<std::uint32_t>(grid.num_columns());
+  message.height = static_cast<std::uint32_t>(grid.num_rows());
+  message.origin_m = {grid.T_map_grid().x_m, grid.T_map_grid().y_m, 0.0};
+  message.origin_orientation = quaternion_from_yaw(grid.T_map_grid().theta_rad);
+  message.cells.reserve(grid.values().size());
+  for (std::int32_t row = 0; row < grid.num_rows(); ++row) {
+    for (std::int32_t column = 0; column < grid.num_columns(); ++column) {
+      message.cells.push_back(cell_value(grid.state({column, row})));
+    }
+  }
+  return message;
 }
 
 }  // namespace setsquare

@@ -8,6 +8,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/core/timestamp.hpp"
+#include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/io/ros/messages.hpp"
 #include "setsquare/scan/scan.hpp"
 
@@ -31,5 +32,11 @@ void laser_scan_from_scan(const Scan& scan, const std::string& frame, ros::Laser
                                                         const std::string& parent,
                                                         const std::string& child,
                                                         const Pose2& T_parent_child);
+
+/// A grid in the frame that it is told to lie in: 100 where occupied, 0 where free, -1 where
+/// unknown.
+[[nodiscard]] ros::OccupancyGrid message_from_grid(const OccupancyGrid& grid,
+                                                   const std::string& frame,
+                                                   Timestamp stamp);
 
 }  // namespace setsquare

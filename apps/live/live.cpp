@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+// `setsquare live`: maps while the robot drives.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <CLI/App.hpp>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "apps/live/live_options.hpp"
+#include "apps/live/live_run.hpp"
+#include "apps/live/params_file.hpp"
+#include "apps/live/ros2_domain.hpp"
+#include "apps/live/stop_signal.hpp"
+#include "apps/live/subcommands.hpp"
+#include "apps/setsquare/command_line/options.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
+
+namespace setsquare::live_app {
+namespace {
+
+/// An option of the command line as a parameter of a node has it. What slam_toolbox calls alike
+/// means the same.
+struct NamedOption {
+  const char* parameter;
+  const char* option;
+};
+constexpr NamedOption kNamedOptions[] = {{"scan_topic", "--scan-topic"},
+                                         {"odom_topic", "--odom-topic"},
+                                         {"map_frame", "--map-frame"},
+                                         {"odom_frame", "--odom-frame"},
+                                         {"base_frame", "--base-frame"},
+                                         {"map_update_interval", "--map-period"}};
+
+/// Parameters of the file stand in for options that were not given; others are named.
+void apply_params_file(CLI::App& live, const std::string& path) {
+  std::vector<std::string> unknown;
+  for (const auto& [name, values] : read_params_file(path)) {
+    const auto* named = std::find_if(std::begin(kNamedOptions),
+                                     std::end(kNamedOptions),
+                                     [&](const auto& known) { return name == known.parameter; });
+    if (named == std::end(kNamedOptions)) {
+      unknown.push_back(name);
+      continue;
+    }
+    CLI::Option* option = live.get_option(named->option);
+    if (option->count() > 0 || values.empty()) continue;
+    for (const std::string& value : values) option->add_result(value);
+    option->run_callback();
+  }
+  if (unknown.empty()) return;
+  std::cerr << fmt::format(
+      "{}: parameters without a meaning here: {}\n", path, fmt::join(unknown, ", "));
+}
+
+void add_ros2_options(CLI::App& live, const std::shared_ptr<LiveOptions>& options) {
+  Ros2Options& ros2 = options->ros2;
+  ros2.domain = domain_of_environment();
+  live.add_flag("--ros2", options->is_ros2, "As a node of ROS 2, without an installation of it");
+  live.add_option(
+          "--scan-topic", ros2.scan_topics, "Of sensor_msgs/LaserScan; repeated for each scanner")
+      ->type_name("TOPIC")
+      ->default_str("/scan");
+  live.add_option("--odom-topic",
+                  ros2.odometry_topic,
+                  "Of nav_msgs/Odometry; where nobody publishes it, the frames odom -> base of /tf")
+      ->type_name("TOPIC")
+      ->capture_default_str();
+  live.add_option("--map-frame", ros2.frames.map, "Frame of the map")
+      ->type_name("FRAME")
+      ->capture_default_str();
+  live.add_option("--odom-frame", ros2.frames.odom, "Frame of the odometry")
+      ->type_name("FRAME")
+      ->capture_default_str();
+  live.add_option("--base-frame", ros2.frames.base, "Frame of the robot, where it has no odometry")
+      ->type_name("FRAME")
+      ->capture_default_str();
+  live.add_flag("--slam-toolbox-names",
+                ros2.has_slam_toolbox_names,
+                "Serve /slam_toolbox/{dynamic_map, pause_new_measurements, reset, save_map}, too");
+  live.add_option("--params-file",
+                  options->params_path,
+                  "Parameters of a node in a file of ROS 2 (docs/live.md); options given here win")
+      ->type_name("YAML");
+  add_domain_options(live, ros2.domain, ros2.is_local);
+  live.get_option("--network")->each([options](const std::string&) {
+    options->server.address = "0.0.0.0";
+  });
+}
+
+}  // namespace
+
+void add_live(CLI::App& application) {
+  const auto options = std::make_shared<LiveOptions>();
+  CLI::App* live = application.add_subcommand("live", "Map while the robot drives");
+  app::add_log_options(*live, options->mapping.log);
+  // A window of a log has no meaning for what comes now, and --from is where it comes from.
+  for (const char* window : {"--from", "--to"}) live->remove_option(live->get_option(window));
+  add_ros2_options(*live, options);
+  live->add_option("--replay", options->replayed_log, "A log, as if the robot drove now")
+      ->type_name("LOG")
+      ->excludes("--ros2");
+  live->add_option("--from", options->bridge, "A server of the Foxglove protocol: foxglove_bridge")
+      ->type_name("ws://HOST:PORT")
+      ->excludes("--ros2", "--replay");
+  live->add_flag("--foxglove", options->is_shown, "Show scans, map and closures to Foxglove");
+  live->add_option("--foxglove-port", options->server.port, "Where; 0: a port that is free")
+      ->check(app::whole_number(0, 65535))
+      ->type_name("PORT")
+      ->capture_default_str();
+  live->add_option("--speed", options->speed, "Of --replay, in times the robot's; 0: no waiting")
+      ->check(app::number_from(0.0, 1e6))
+      ->type_name("X")
+      ->capture_default_str();
+  live->add_option("--state",
+                   options->state_path,
+                   "Folder that keeps what comes, a bag every 15 s: a run that was killed goes on")
+      ->type_name("DIR")
+      ->excludes("--replay");
+  live->add_option("-o,--output", options->output_path, "Directory for the map, at the end")
+      ->type_name("DIR");
+  live->add_option(
+          "--map-period", options->live.map_period_s, "Seconds from a map to the next, at least")
+      ->check(app::number_above(0.0))
+      ->type_name("S")
+      ->capture_default_str();
+  live->add_flag_callback(
+      "--no-odometry",
+      [options] { options->mapping.uses_odometry = false; },
+      "Use the scans alone");
+  live->add_flag_callback(
+      "--no-audit",
+      [options] { options->mapping.is_audited = false; },
+      "Do not match pairs of scans against the maps");
+  live->footer(
+      "Each scan's pose is there at once; loops are closed and maps drawn beside it. At the end,\n"
+      "or by Ctrl-C or SIGTERM, the map is finished: its files are those that `setsquare map`\n"
+      "makes of the same scans, but for timing.json. docs/live.md tells what it publishes.\n"
+      "Examples:\n"
+      "  setsquare live --ros2 -o out\n"
+      "  setsquare live --ros2 --state kept -o out\n"
+      "  setsquare live --ros2 --scan-topic /front/scan --slam-toolbox-names -o out\n"
+      "  setsquare live --from ws://127.0.0.1:8765 -o out\n"
+      "  setsquare live --replay intel.clf --speed 10 --foxglove -o out");
+  live->callback([live, options] {
+    if (!options->params_path.empty()) apply_params_file(*live, options->params_path);
+    if (!options->is_ros2 && options->replayed_log.empty() && options->bridge.empty()) {
+      throw CLI::RequiredError("--ros2, --from ADDRESS or --replay LOG");
+    }
+    StopSignal stop;  // Before other threads.
+    LiveRun(*options, stop).run();
+  });
+}
+
+}  // namespace setsquare::live_app

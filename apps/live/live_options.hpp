@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <string>
+
+#include "apps/live/ros2_node.hpp"
+#include "setsquare/foxglove/server.hpp"
+#include "setsquare/live/live_mapper.hpp"
+#include "setsquare/pipeline/map_log.hpp"
+
+namespace setsquare::live_app {
+
+/// What `setsquare live` was asked to do. Scans come from one of the first three.
+struct LiveOptions {
+  bool is_ros2 = false;
+  std::string bridge;        ///< Address of a server of the Foxglove protocol, or empty.
+  std::string replayed_log;  ///< Or empty.
+  double speed = 1.0;        ///< Of the replayed log; 0: no waiting.
+
+  Ros2Options ros2;                ///< Topics and frames, whoever carries them.
+  bool is_shown = false;           ///< To Foxglove.
+  foxglove::ServerOptions server;  ///< Where, then.
+  std::string output_path;         ///< Empty: nothing is written.
+  std::string state_path;          ///< Empty: a kill loses all.
+  std::string params_path;         ///< Empty: none.
+  LiveMapperParams live;
+  MapLogOptions mapping;
+
+  [[nodiscard]] bool is_of_network() const { return is_ros2 || !bridge.empty(); }
+};
+
+}  // namespace setsquare::live_app

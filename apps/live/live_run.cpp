@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "apps/live/live_run.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "apps/setsquare/audit/verdict_text.hpp"
+#include "apps/setsquare/scans/log_options.hpp"
+#include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/bag/live_log.hpp"
+#include "setsquare/io/logs/open_log.hpp"
+#include "setsquare/live/paced_log.hpp"
+#include "setsquare/live/resumed_messages.hpp"
+#include "setsquare/report/map/save_map.hpp"
+
+namespace setsquare::live_app {
+namespace {
+
+/// Nodes of the root namespace may be named without its slash.
+void make_absolute(std::string& topic) {
+  if (!topic.empty() && !topic.starts_with('/')) topic.insert(0, "/");
+}
+
+}  // namespace
+
+LiveRun::LiveRun(const LiveOptions& options, StopSignal& stop) : options_(options), stop_(stop) {
+  options_.mapping.log.scans_only = false;  // The odometry is surveyed, turn rates are used.
+  if (options_.is_of_network()) {
+    open_network();
+  } else {
+    open_replayed_log();
+  }
+  if (options_.is_shown) {
+    server_ = std::make_unique<foxglove::Server>(options_.server);
+    viewers_ = std::make_unique<FoxgloveOutput>(*server_, options_.ros2.frames);
+    outputs_.push_back(viewers_.get());
+    std::cout << fmt::format(
+                     "shown to Foxglove at ws://{}:{}", options_.server.address, server_->port())
+              << std::endl;
+  }
+  make_session();
+  if (!options_.is_ros2) return;
+  node_ = std::make_unique<Ros2Node>(options_.ros2, *queue_);
+  node_->serve(*session_, [this](const std::string& name) { return save_now(name); });
+  outputs_.push_back(node_.get());
+}
+
+LiveRun::~LiveRun() { end_shows(); }
+
+// --- Where scans come from -----------------------------------------------------------------------
+
+void LiveRun::open_replayed_log() {
+  name_ = options_.replayed_log;
+  auto log = std::make_unique<PacedLog>(
+      open_log(name_, options_.mapping.log), options_.speed, [this](Clock::time_point moment) {
+        return stop_.wait_until(moment);
+      });
+  arrival_ = [paced = log.get()] { return paced->due(); };
+  log_ = std::move(log);
+  is_live_ = true;
+}
+
+void LiveRun::open_network() {
+  for (std::string& topic : options_.ros2.scan_topics) make_absolute(topic);
+  make_absolute(options_.ros2.odometry_topic);
+  options_.mapping.log.sensor = fmt::format("{}", fmt::join(options_.ros2.scan_topics, ","));
+  name_ = options_.is_ros2 ? "ROS 2" : options_.bridge;
+  auto queue = std::make_unique<MessageQueue>(options_.is_ros2 ? "ROS 2" : "Foxglove WebSocket");
+  queue_ = queue.get();
+  stop_.on_stop([to = queue_] { to->close(); });
+  arrival_ = [from = queue_] { return from->arrival(); };
+  std::vector<std::string> kept;
+  if (!options_.state_path.empty()) {
+    kept = Journal::files_of(options_.state_path);
+    journal_ = std::make_unique<Journal>(options_.state_path, [](const std::string& reason) {
+      std::cerr << "what comes is not kept: " << reason << std::endl;
+    });
+    queue->on_read([this](const MessageTopic& topic, const Message& message) {
+      journal_->add(topic, message);
+    });
+    if (!kept.empty()) {
+      std::cout << fmt::format(
+                       "reading what was kept: {} files of {}", kept.size(), options_.state_path)
+                << std::endl;
+    }
+  }
+  log_ = open_live_log(std::make_unique<ResumedMessages>(
+                           std::move(kept), std::move(queue), [this] { begin_live(); }),
+                       name_,
+                       options_.mapping.log);
+}
+
+void LiveRun::begin_live() {
+  is_live_ = true;
+  if (node_) {
+    node_->listen();
+  } else {
+    bridge_ = std::make_unique<foxglove::Client>(options_.bridge, bridge_calls());
+  }
+  if (const LiveMapPtr map = session_->last_map()) show_map(map);
+  std::cout << "waiting for scans on " << options_.mapping.log.sensor << std::endl;
+}
+
+foxglove::Client::Calls LiveRun::bridge_calls() {
+  std::map<std::pair<std::string, std::string>, std::size_t> wanted;  // by topic and type
+  for (const auto& [topic, type] : topics_of(options_.ros2)) {
+    wanted[{topic, type}] = queue_->add(
+        {.name = topic, .type = type, .definition = {}, .encoding = MessageEncoding::kCdr});
+  }
+  return {
+      .on_channel = [wanted = std::move(wanted)](
+                        const foxglove::Channel& channel) -> std::optional<std::size_t> {
+        const auto found = wanted.find({channel.topic, channel.schema_name});
+        if (found == wanted.end() || channel.encoding != "cdr") return std::nullopt;
+        return found->second;
+      },
+      .on_message = [to = queue_](std::size_t number,
+                                  std::string_view data) { to->push(number, world_time(), data); },
+      .on_state = [](const std::string& state) { std::cerr << state << std::endl; }};
+}
+
+// --- The session, and who is shown ---------------------------------------------------------------
+
+void LiveRun::make_session() {
+  session_ = std::make_unique<LiveSession>(
+      name_,
+      options_.mapping,
+      options_.live,
+      LiveWatcher{.on_pose = [this](const LogRecord& record,
+                                    const LivePose& pose) { show_pose(record, pose); },
+                  .on_map = [this](const LiveMapPtr& map) { show_map(map); },
+                  .on_refused =
+                      [](const LogRecord& record, const std::string& reason) {
+                        std::cerr << record.sensor << ": " << reason << "\n";
+                      },
+                  .on_reset =
+                      [this] {
+                        if (journal_) journal_->clear();
+                      }});
+}
+
+void LiveRun::show_pose(const LogRecord& record, const LivePose& pose) {
+  if (!is_live_) return;
+  for (LiveOutput* output : outputs_) output->show_pose(record, pose);
+  latencies_.add(std::chrono::duration<double>(Clock::now() - arrival_()).count());
+}
+
+void LiveRun::show_map(const LiveMapPtr& map) {
+  const std::lock_guard lock(outputs_mutex_);
+  if (!is_live_) return;
+  for (LiveOutput* output : outputs_) output->show_map(map);
+}
+
+/// Behind it nobody is shown anything, whatever is still drawn; nobody asks the session any more.
+void LiveRun::end_shows() {
+  {
+    const std::lock_guard lock(outputs_mutex_);
+    outputs_.clear();
+  }
+  bridge_.reset();
+  node_.reset();
+}
+
+// --- The map -------------------------------------------------------------------------------------
+
+void LiveRun::run() {
+  const MappedLog mapped = session_->run(*log_);
+  end_shows();
+  tell(mapped);
+  if (!options_.output_path.empty()) {
+    std::cout << save(mapped, options_.output_path) << "\n";
+  }
+  app::tell_problems(mapped.name, mapped.problems);
+}
+
+std::string LiveRun::save(const MappedLog& mapped, const std::string& folder) const {
+  const std::vector<std::string> names = save_map(mapped.map, folder, save_options_of(mapped));
+  return fmt::format("written: {}/{}", folder, fmt::join(names, ", "));
+}
+
+std::string LiveRun::save_now(const std::string& name) {
+  if (options_.output_path.empty()) throw FileError("-o", "not given: there is no place for maps");
+  if (name.find('/') != std::string::npos || name == "." || name == "..") {
+    throw FileError(name, "a map's name has no '/': it is saved below the folder of -o");
+  }
+  const LiveMapPtr map = session_->request_map().get();
+  if (!map) throw FileError("map", "there is none yet");
+  const std::filesystem::path folder(options_.output_path);
+  return save(session_->mapped_log_of(*map), name.empty() ? folder : folder / name);
+}
+
+void LiveRun::tell(const MappedLog& mapped) const {
+  const LiveCounts counts = session_->counts();
+  std::cout << app::verdict_text(mapped.map)
+            << fmt::format(
+                   "{} scans, {} lost; {} maps drawn on the way; all tracked again {} times\n",
+                   counts.num_scans,
+                   counts.num_lost,
+                   counts.num_maps,
+                   counts.num_again);
+  if (latencies_.num() > 0) std::cout << "poses: " << latencies_.text() << " after the scan\n";
+  if (queue_ != nullptr && queue_->num_dropped() > 0) {
+    std::cout << fmt::format("{} messages dropped: too many came\n", queue_->num_dropped());
+  }
+}
+
+}  // namespace setsquare::live_app

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "apps/live/foxglove_output.hpp"
+#include "apps/live/latencies.hpp"
+#include "apps/live/live_options.hpp"
+#include "apps/live/live_output.hpp"
+#include "apps/live/ros2_node.hpp"
+#include "apps/live/stop_signal.hpp"
+#include "setsquare/foxglove/client.hpp"
+#include "setsquare/foxglove/server.hpp"
+#include "setsquare/live/journal.hpp"
+#include "setsquare/live/live_session.hpp"
+#include "setsquare/live/message_queue.hpp"
+
+namespace setsquare::live_app {
+
+/// A run of `setsquare live`: where scans come from, the session that maps them, and who is shown
+/// what it finds.
+class LiveRun {
+ public:
+  /// Throws FileError, FormatError, ParameterError.
+  LiveRun(const LiveOptions& options, StopSignal& stop);
+  ~LiveRun();
+  LiveRun(const LiveRun&) = delete;
+  LiveRun& operator=(const LiveRun&) = delete;
+
+  /// Maps until the log ends or the program is asked to stop; tells how it went and writes the map.
+  /// Throws the same.
+  void run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void open_replayed_log();
+  /// Messages of a network, behind those that an earlier run has kept.
+  void open_network();
+  void make_session();
+  /// On the session's thread, when all has been read that was kept: from now on messages come.
+  void begin_live();
+  [[nodiscard]] foxglove::Client::Calls bridge_calls();
+
+  void show_pose(const LogRecord& record, const LivePose& pose);
+  void show_map(const LiveMapPtr& map);
+  void end_shows();
+  /// A map of now, as somebody on the network asks for: below the output folder, nowhere else.
+  std::string save_now(const std::string& name);
+  std::string save(const MappedLog& mapped, const std::string& folder) const;
+  void tell(const MappedLog& mapped) const;
+
+  LiveOptions options_;
+  StopSignal& stop_;
+  std::string name_;                            ///< Of the log.
+  std::function<Clock::time_point()> arrival_;  ///< Of the last record.
+  std::unique_ptr<Journal> journal_;            ///< Null where nothing is kept.
+  std::unique_ptr<LogReader> log_;
+  MessageQueue* queue_ = nullptr;  ///< Part of log_, where messages come by a network.
+  Latencies latencies_;
+  std::atomic<bool> is_live_ = false;  ///< Else what is read was kept: nobody is shown it again.
+
+  std::mutex outputs_mutex_;
+  std::vector<LiveOutput*> outputs_;
+  std::unique_ptr<foxglove::Server> server_;
+  std::unique_ptr<FoxgloveOutput> viewers_;
+  std::unique_ptr<LiveSession> session_;
+  std::unique_ptr<Ros2Node> node_;            ///< Its threads use the session.
+  std::unique_ptr<foxglove::Client> bridge_;  ///< Its thread uses the queue.
+};
+
+}  // namespace setsquare::live_app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <Eigen/Core>
+
+namespace setsquare {
+
+/// Covariance of a tracked motion: translation in the odom frame, rotation apart.
+struct MotionCovariance {
+  Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();  ///< In the odom frame.
+  double rotation_rad2 = 0.0;                                ///< Of the turn.
+  /// Of translation_m2, what an open direction adds where no odometry tells the way along it: the
+  /// sum of sigma u u^T, in m. Until a scan tells the robot's speed that is one error: over the
+  /// motions of an open stretch the sigmas add up, not the variances.
+  Eigen::Matrix2d open_sigma_m = Eigen::Matrix2d::Zero();
+  std::size_t open_stretch = 0;  ///< Counts these stretches.
+  /// How far the motion may be off beyond tracking's usual noise: where walls left a direction
+  /// open, or scans were lost.
+  double slip_sigma_m = 0.0;
+  bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
+  /// Whether tracking began anew for a step that was too long, among others as long: the scans
+  /// before and after were taken near each other.
+  bool is_long_step = false;
+};
+
+}  // namespace setsquare

@@ -1,0 +1,370 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/growing_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <span>
+#include <utility>
+
+#include "setsquare/core/error.hpp"
+#include "setsquare/core/parallel.hpp"
+#include "setsquare/headings/proposals.hpp"
+
+namespace setsquare {
+namespace {
+
+/// The motion to the first keyframe of another session: nothing is known of it.
+MotionCovariance unknown_motion(const MotionUncertaintyParams& params) {
+  return {.translation_m2 =
+              params.restart_sigma_m * params.restart_sigma_m * Eigen::Matrix2d::Identity(),
+          .rotation_rad2 = params.restart_sigma_rad * params.restart_sigma_rad,
+          .slip_sigma_m = params.restart_sigma_m,
+          .has_odometry = false};
+}
+
+/// The scan as tracking left it; `T_base_sensor`: its mounting.
+TrackedScan tracked_scan(const MappedScan& mapped,
+                         const Pose2& T_odom_sensor,
+                         const Pose2& T_base_sensor) {
+  const Eigen::Rotation2Dd to_odom(T_odom_sensor.theta_rad - mapped.T_map_sensor.theta_rad);
+  TrackedScan scan{.stamp = mapped.stamp,
+                   .tracked = {.status = mapped.status,
+                               .T_odom_sensor = T_odom_sensor,
+                               .has_odometry = mapped.has_odometry,
+                               .score = mapped.score,
+                               .open = {},
+                               .turn_bound_share = mapped.is_turn_open ? 0.0 : 1.0},
+                   .T_base_sensor = T_base_sensor,
+                   .open_sigma_m = mapped.open_sigma_m.norm(),
+                   .open_turn_sigma_rad = mapped.open_turn_sigma_rad};
+  scan.tracked.turn_motion_m = to_odom * mapped.open_turn_motion_m;
+  if (scan.open_sigma_m > 0.0) {
+    scan.tracked.open.direction = to_odom * mapped.open_sigma_m / scan.open_sigma_m;
+  }
+  return scan;
+}
+
+void require_track(const Map& map) {
+  const bool has_track = !map.sessions.empty() &&
+                         map.track.T_odom_sensor.size() == map.scans.size() &&
+                         map.track.motions.size() == map.keyframes.size();
+  if (!has_track) {
+    throw ParameterError("map", "does not tell its track: the preset \"paper\" makes none");
+  }
+  validate(map);
+  const bool is_in_order = std::ranges::adjacent_find(
+                               map.keyframes, std::ranges::greater_equal{}) == map.keyframes.end();
+  if (!is_in_order) throw ParameterError("keyframes", "are not in the order of the scans");
+  for (const TrackedMotion& motion : map.track.motions) {
+    const MotionCovariance& covariance = motion.covariance;
+    if (covariance.translation_m2.determinant() > 0.0 && covariance.rotation_rad2 > 0.0) continue;
+    throw ParameterError("track.motions", "have a covariance that is none");
+  }
+}
+
+/// The first of the map's keyframes that is not before a scan.
+std::size_t keyframe_at(const Map& map, std::size_t scan) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(map.keyframes, scan) -
+                                  map.keyframes.begin());
+}
+
+/// The piece of track, from 0, that each of the map's keyframes belongs to.
+std::vector<std::size_t> pieces_of_keyframes(const Map& map) {
+  std::vector<std::size_t> pieces;
+  std::size_t piece = 0;
+  for (const std::size_t scan : map.keyframes) {
+    while (piece + 1 < map.pieces.size() && map.pieces[piece + 1].first_scan <= scan) ++piece;
+    pieces.push_back(piece);
+  }
+  return pieces;
+}
+
+SensorReports sensors_of(const Map& map) {
+  return {.scanners = map.scanners,
+          .gyro = map.gyro,
+          .odometry = map.odometry,
+          .sweep = map.sweep,
+          .num_with_odometry = map.num_with_odometry};
+}
+
+void write_sensors(const SensorReports& sensors, Map& map) {
+  map.scanners = sensors.scanners;
+  map.gyro = sensors.gyro;
+  map.odometry = sensors.odometry;
+  map.sweep = sensors.sweep;
+  map.num_with_odometry = sensors.num_with_odometry;
+}
+
+/// Kept scans of an index less than this.
+std::size_t num_kept_before(std::span<const KeptScan> kept, std::size_t index) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(kept, index, {}, &KeptScan::index) -
+                                  kept.begin());
+}
+
+}  // namespace
+
+GrowingMap::GrowingMap(const MapperParams& params)
+    : params_(params), turn_checks_(params.turns), closer_(params.closing) {}
+
+// --- Sessions ------------------------------------------------------------------------------------
+
+bool GrowingMap::is_last_session_empty() const {
+  if (sessions_.empty()) return false;
+  return track_.size() == 0 || track_.keyframes.back()->scan_index < sessions_.back().first_scan;
+}
+
+void GrowingMap::forget_last_session() {
+  const std::size_t first_scan = sessions_.back().first_scan;
+  sessions_.pop_back();
+  scans_.resize(first_scan);
+  kept_scans_.resize(num_kept_before(kept_scans_, first_scan));
+  std::size_t num_keyframes = track_.size();
+  while (num_keyframes > 0 && track_.keyframes[num_keyframes - 1]->scan_index >= first_scan) {
+    --num_keyframes;
+  }
+  track_.keyframes.resize(num_keyframes);
+  track_.motions.resize(num_keyframes);
+  track_.stretches.resize(num_keyframes);
+  track_.pieces.resize(num_keyframes);
+  std::erase_if(track_.session_begins, [&](std::size_t k) { return k >= num_keyframes; });
+  shares_of_place_.resize(num_keyframes);
+  evidence_.resize(num_keyframes);
+  if (num_closed_ <= num_keyframes) return;
+  turn_checks_ = TurnChecks(params_.turns);
+  closer_ = LoopCloser(params_.closing);
+  num_closed_ = 0;
+}
+
+void GrowingMap::open_session() {
+  if (is_last_session_empty()) forget_last_session();
+  is_session_waiting_ = false;
+  std::size_t recency = 0;
+  for (const MapSession& session : sessions_) recency = std::max(recency, session.recency + 1);
+  sessions_.push_back({.first_scan = scans_.size(), .recency = recency, .search = {}});
+}
+
+// --- The log that is tracked ---------------------------------------------------------------------
+
+void GrowingMap::add(TrackSteps&& steps) {
+  if (steps.begins_again && !is_session_waiting_) {
+    forget_last_session();
+    is_session_waiting_ = true;
+  }
+  for (TrackStep& step : steps.steps) add(std::move(step));
+}
+
+void GrowingMap::add(TrackStep&& step) {
+  if (is_session_waiting_) open_session();
+  const std::size_t index = scans_.size();
+  scans_.push_back(step.scan);
+  ++sessions_.back().num_scans;
+  if (step.keyframe && step.keyframe->keyframe->scan_index != index) {
+    // Tracking counts from the begin of its log.
+    Keyframe numbered = *step.keyframe->keyframe;
+    numbered.scan_index = index;
+    step.keyframe->keyframe = std::make_shared<const Keyframe>(std::move(numbered));
+    step.kept = {step.keyframe->keyframe, &step.keyframe->keyframe->scan};
+  }
+  if (step.kept) kept_scans_.push_back({index, std::move(step.kept)});
+  if (!step.keyframe) return;
+  const bool is_restart = step.scan.tracked.is_restart;
+  const bool is_tied = step.keyframe->motion.has_odometry;
+  add_keyframe(std::move(*step.keyframe), {is_restart, is_restart && !is_tied});
+}
+
+void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
+  const bool is_first = track_.size() == 0;
+  const bool begins_session =
+      is_first || track_.keyframes.back()->scan_index < sessions_.back().first_scan;
+  if (begins_session && !is_first) {
+    track_.session_begins.push_back(track_.size());
+    const std::size_t open_stretch = track_.motions.back().open_stretch + 1;
+    tracked.motion = unknown_motion(params_.motion);
+    tracked.motion.open_stretch = open_stretch;
+    begins = {true, true};
+  } else if (!track_.session_begins.empty()) {
+    tracked.motion.open_stretch += track_.motions[track_.session_begins.back()].open_stretch;
+  }
+  const std::size_t stretch = is_first ? 0 : track_.stretches.back();
+  const std::size_t piece = is_first ? 0 : track_.pieces.back();
+  track_.keyframes.push_back(tracked.keyframe);
+  track_.motions.push_back(tracked.motion);
+  track_.stretches.push_back(stretch + (!is_first && begins.stretch ? 1 : 0));
+  track_.pieces.push_back(piece + (!is_first && begins.piece ? 1 : 0));
+  shares_of_place_.push_back(tracked.share_of_place);
+  evidence_.push_back({.tracked_heading_rad = tracked.keyframe->T_odom_sensor.theta_rad,
+                       .step_sigma_rad = std::sqrt(tracked.motion.rotation_rad2),
+                       .proposals = heading_proposals(
+                           tracked.keyframe->scan, params_.direction, params_.confident_margin)});
+  share_place(tracked.share_of_place, evidence_.back());
+  close_while_growing();
+}
+
+void GrowingMap::close_while_growing() {
+  if (!track_.session_begins.empty()) return;
+  if (track_.size() < next_closing(num_closed_, params_)) return;
+  const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
+  close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
+  num_closed_ = track_.size();
+}
+
+// --- Maps that are gone on with ------------------------------------------------------------------
+
+bool GrowingMap::holds(const Map& map, const MapSession& session) const {
+  return std::ranges::any_of(sessions_, [&](const MapSession& known) {
+    if (known.num_scans != session.num_scans) return false;
+    for (std::size_t i = 0; i < session.num_scans; ++i) {
+      const TrackedScan& scan = scans_[known.first_scan + i];
+      if (scan.stamp != map.scans[session.first_scan + i].stamp ||
+          scan.tracked.T_odom_sensor != map.track.T_odom_sensor[session.first_scan + i]) {
+        return false;
+      }
+    }
+    return true;
+  });
+}
+
+void GrowingMap::add(const Map& map) {
+  require_track(map);
+  const bool is_first = sessions_.empty();
+  for (const MapSession& session : map.sessions) {
+    if (holds(map, session)) continue;
+    add_session(map, session);
+    if (is_first) sessions_.back().recency = session.recency;
+  }
+  is_session_waiting_ = true;
+  if (known_sensors_) {
+    known_sensors_->num_with_odometry += map.num_with_odometry;
+  } else {
+    known_sensors_ = sensors_of(map);
+  }
+  if (!is_first) return;
+  const auto& begins = track_.session_begins;
+  track_.num_known = begins.empty() ? track_.size() : begins.front();
+  for (std::size_t k = 0; k < track_.size(); ++k) {
+    const MappedScan& scan = map.scans[map.keyframes[k]];
+    if (scan.is_placed) anchors_.push_back({k, scan.T_map_sensor});
+  }
+}
+
+void GrowingMap::add_session(const Map& map, const MapSession& session) {
+  open_session();
+  const std::size_t end = session.first_scan + session.num_scans;
+  ScansByIndex kept;
+  for (const KeptScan& scan : map.kept_scans) {
+    if (scan.index >= session.first_scan && scan.index < end) kept.emplace(scan.index, scan.scan);
+  }
+  for (std::size_t i = session.first_scan; i < end; ++i) {
+    const MappedScan& scan = map.scans[i];
+    const auto whole = kept.find(i);
+    const Pose2 T_base_sensor = whole != kept.end() ? whole->second->T_base_sensor
+                                                    : scan.T_map_base.inverse() * scan.T_map_sensor;
+    scans_.push_back(tracked_scan(scan, map.track.T_odom_sensor[i], T_base_sensor));
+  }
+  sessions_.back().num_scans = session.num_scans;
+  add_keyframes(map, session, kept);
+  for (const auto& [index, scan] : kept) {
+    kept_scans_.push_back({index - session.first_scan + sessions_.back().first_scan, scan});
+  }
+}
+
+void GrowingMap::add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept) {
+  const std::size_t first = keyframe_at(map, session.first_scan);
+  const std::size_t end = keyframe_at(map, session.first_scan + session.num_scans);
+  std::vector<KeyframePtr> keyframes(end - first);
+  run_in_parallel(keyframes.size(), params_.num_threads, [&](std::size_t i) {
+    const std::size_t scan_index = map.keyframes[first + i];
+    const auto whole = kept.find(scan_index);
+    if (whole == kept.end()) return;
+    const Scan& scan = *whole->second;
+    auto surfaces = scan_surfaces(scan, params_.tracker.surfaces, params_.tracker.image);
+    keyframes[i] = std::make_shared<const Keyframe>(
+        Keyframe{.scan_index = scan_index - session.first_scan + sessions_.back().first_scan,
+                 .T_odom_sensor = map.track.T_odom_sensor[scan_index],
+                 .T_odom_body = map.track.motions[first + i].T_odom_body,
+                 .scan = scan,
+                 .surfaces = std::move(surfaces)});
+  });
+  const std::vector<std::size_t> pieces = pieces_of_keyframes(map);
+  const auto& motions = map.track.motions;
+  for (std::size_t k = first; k < end; ++k) {
+    const KeyframePtr& keyframe = keyframes[k - first];
+    if (!keyframe) throw ParameterError("map", "does not keep the scan of a keyframe");
+    kept[map.keyframes[k]] = {keyframe, &keyframe->scan};
+    MotionCovariance motion = motions[k].covariance;
+    Begins begins;
+    if (k > first) {
+      begins = {motions[k].stretch != motions[k - 1].stretch, pieces[k] != pieces[k - 1]};
+      // Open stretches are counted from the begin of their session.
+      if (first > 0) motion.open_stretch -= motions[first].covariance.open_stretch;
+    }
+    add_keyframe({keyframe, motion, motions[k].share_of_place}, begins);
+  }
+}
+
+void GrowingMap::date_by_stamps() {
+  struct Span {
+    Timestamp first;
+    Timestamp last;
+    std::size_t session = 0;
+  };
+  std::vector<Span> spans;
+  for (std::size_t s = 0; s < sessions_.size(); ++s) {
+    const MapSession& session = sessions_[s];
+    const auto begin = scans_.begin() + static_cast<std::ptrdiff_t>(session.first_scan);
+    const auto end = begin + static_cast<std::ptrdiff_t>(session.num_scans);
+    const auto [low, high] = std::minmax_element(
+        begin, end, [](const TrackedScan& a, const TrackedScan& b) { return a.stamp < b.stamp; });
+    if (low == end) return;
+    spans.push_back({low->stamp, high->stamp, s});
+  }
+  std::ranges::sort(spans, {}, &Span::first);
+  for (std::size_t i = 1; i < spans.size(); ++i) {
+    if (!(spans[i - 1].last < spans[i].first)) return;
+  }
+  for (std::size_t i = 0; i < spans.size(); ++i) sessions_[spans[i].session].recency = i;
+}
+
+// --- The map -------------------------------------------------------------------------------------
+
+Map GrowingMap::make(const SensorReports& sensors) const {
+  SensorReports told = sensors;
+  if (known_sensors_ && is_session_waiting_) {
+    told = *known_sensors_;
+  } else if (known_sensors_) {
+    told.num_with_odometry += known_sensors_->num_with_odometry;
+  }
+  std::span<const MapSession> sessions = sessions_;
+  std::span<const TrackedScan> scans = scans_;
+  std::span<const KeptScan> kept = kept_scans_;
+  if (sessions.size() > 1 && is_last_session_empty()) {
+    scans = scans.first(sessions.back().first_scan);
+    kept = kept.first(num_kept_before(kept, scans.size()));
+    sessions = sessions.first(sessions.size() - 1);
+  }
+  if (track_.size() == 0) {
+    Map map = assemble_map({.scans = scans,
+                            .kept_scans = kept,
+                            .track = track_,
+                            .shares_of_place = shares_of_place_,
+                            .sessions = sessions});
+    write_sensors(told, map);
+    return map;
+  }
+  const TrackedLog log{.scans = scans,
+                       .kept_scans = kept,
+                       .track = track_,
+                       .shares_of_place = shares_of_place_,
+                       .sessions = sessions,
+                       .anchors = anchors_,
+                       .evidence = evidence_,
+                       .turn_checks = turn_checks_,
+                       .closer = closer_,
+                       .add_sensors = [&](Map& map) { write_sensors(told, map); }};
+  return MapMaker(log, params_).make();
+}
+
+}  // namespace setsquare

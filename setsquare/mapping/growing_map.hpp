@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "setsquare/headings/evidence.hpp"
+#include "setsquare/map/map.hpp"
+#include "setsquare/mapping/keyframe_track.hpp"
+#include "setsquare/mapping/log_tracker.hpp"
+#include "setsquare/mapping/loops/loop_closer.hpp"
+#include "setsquare/mapping/map_assembly.hpp"
+#include "setsquare/mapping/map_maker.hpp"
+#include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/turn_checks.hpp"
+
+namespace setsquare {
+
+/// The second half of Mapper: what tracking tells of each scan in (LogTracker), map out. It grows
+/// session after session (MapSession): each is a log that is being tracked, or one of a map that
+/// was made before and is taken whole.
+///
+/// 1. Headings: each keyframe's walls measure its heading in the building.
+/// 2. Loops: as the track grows, places near each other are compared (close_loops).
+/// 3. The map of all so far, when asked for (MapMaker).
+///
+/// What it does depends on the steps alone, not on when they come: a map that grows behind a robot
+/// is the one that a log gives.
+class GrowingMap {
+ public:
+  /// `params` are valid.
+  explicit GrowingMap(const MapperParams& params);
+
+  /// What tracking told of the next scan. Closes loops now and then, which takes its time. Steps
+  /// that begin again go back to where their session began.
+  void add(TrackSteps&& steps);
+
+  /// The sessions of a map, but those that are here. The map stands as if their logs had been
+  /// tracked, and the scans that come next are of another log: nothing is known of the way to it.
+  /// The map that comes first gives the frame. Throws ParameterError where the map does not tell
+  /// its track (PaperMapper).
+  void add(const Map& map);
+
+  /// Sorts the sessions by their stamps for which is the newer one, where stamps tell: where no two
+  /// sessions overlap in time. Otherwise they are the newer the later they came.
+  void date_by_stamps();
+
+  /// The map of all so far; more may follow. `sensors`: what those of the log that is tracked
+  /// turned out to be. Until it has a scan here, the map tells those of the first map.
+  [[nodiscard]] Map make(const SensorReports& sensors) const;
+
+  /// Scans mapped.
+  [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
+
+ private:
+  using ScansByIndex = std::map<std::size_t, std::shared_ptr<const Scan>>;  ///< Of Map::scans.
+
+  /// What begins with a keyframe.
+  struct Begins {
+    bool stretch = false;
+    bool piece = false;
+  };
+
+  void add(TrackStep&& step);
+  /// Of a scan that is here. Where several scanners leave keyframes, each is one of as many that
+  /// show a place: the same walls (share_place) and one step of the track.
+  void add_keyframe(TrackedKeyframe tracked, Begins begins);
+  /// Closes loops while one log is tracked; where there are several, all are closed at the end.
+  void close_while_growing();
+
+  [[nodiscard]] bool holds(const Map& map, const MapSession& session) const;
+  void add_session(const Map& map, const MapSession& session);
+  /// `kept`: the session's; those of keyframes share the keyframe's memory afterwards. Throws
+  /// ParameterError where one is missing.
+  void add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept);
+
+  /// The session that waits for its first scan begins.
+  void open_session();
+  /// A session without keyframes has no place anywhere.
+  [[nodiscard]] bool is_last_session_empty() const;
+  void forget_last_session();
+
+  MapperParams params_;
+  /// What the sensors of the first map turned out to be, and how many scans of all maps came with
+  /// odometry. None where there is no map.
+  std::optional<SensorReports> known_sensors_;
+  std::vector<MapSession> sessions_;
+  bool is_session_waiting_ = true;
+  std::vector<TrackedScan> scans_;
+  std::vector<KeptScan> kept_scans_;
+  KeyframeTrack track_;
+  std::vector<double> shares_of_place_;  ///< One per keyframe.
+  std::vector<HeadingEvidence> evidence_;
+  std::vector<AnchoredKeyframe> anchors_;
+  TurnChecks turn_checks_;
+  LoopCloser closer_;
+  std::size_t num_closed_ = 0;  ///< Keyframes when loops were last looked for.
+};
+
+}  // namespace setsquare

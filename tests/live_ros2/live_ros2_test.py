@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: 2026 The Setsquare authors
+# SPDX-License-Identifier: Apache-2.0
+"""Live mapping beside a robot on Cyclone DDS, which shares no code with Setsquare:
+live_ros2_test.py SETSQUARE ROBOT_PEER.
+
+Domains are those from 100 up that no other test of this machine uses; everything stays on the
+loopback device.
+"""
+import os
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+SETSQUARE = sys.argv[1]
+PEER = sys.argv[2]
+NUM_SCANS = 150
+
+# As a node of ROS 2 under ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST and rmw_cyclonedds_cpp has it.
+LOCALHOST = """<CycloneDDS><Domain>
+<General><Interfaces><NetworkInterface address="127.0.0.1"/></Interfaces>
+<AllowMulticast>false</AllowMulticast></General>
+<Discovery><ParticipantIndex>auto</ParticipantIndex><MaxAutoParticipantIndex>32</MaxAutoParticipantIndex>
+<Peers><Peer address="127.0.0.1"/></Peers></Discovery></Domain></CycloneDDS>"""
+
+
+def start_live(domain, *options):
+    live = subprocess.Popen(
+        [SETSQUARE, "live", "--ros2", "--domain", str(domain), *options],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert "waiting" in live.stdout.readline()
+    return live
+
+
+def stop(live):
+    live.send_signal(signal.SIGTERM)
+    out, err = live.communicate(timeout=120)
+    return live.returncode, out, err
+
+
+def drive(domain, num_scans, period_ms):
+    environment = dict(os.environ, CYCLONEDDS_URI=LOCALHOST)
+    peer = subprocess.run([PEER, str(domain), str(num_scans), str(period_ms)], text=True,
+                          capture_output=True, timeout=300, env=environment, check=False)
+    assert peer.returncode == 0, peer.stderr
+    return peer.stdout
+
+
+def numbers(heard, name):
+    found = re.search(rf"^{name} (.*)$", heard, re.MULTILINE)
+    assert found, f"{name} is not in:\n{heard}"
+    return [float(word) for word in found[1].split()]
+
+
+class BesideARobot(unittest.TestCase):
+    """One drive; what the robot heard, and what live mapping left."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.out = os.path.join(cls.folder.name, "out")
+        live = start_live(101, "-o", cls.out, "--slam-toolbox-names")
+        cls.heard = drive(101, NUM_SCANS, 30)
+        cls.returncode, cls.told, cls.errors = stop(live)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.folder.cleanup()
+
+    def test_every_scan_is_mapped(self):
+        self.assertEqual(self.returncode, 0, self.errors)
+        self.assertIn(f"{NUM_SCANS} scans, 0 lost", self.told)
+
+    def test_poses_and_transforms_come_with_the_stamps_of_the_scans(self):
+        self.assertEqual(numbers(self.heard, "tf"), [NUM_SCANS])
+        self.assertEqual(numbers(self.heard, "tf_with_stamp"), [NUM_SCANS])
+        self.assertEqual(numbers(self.heard, "poses"), [NUM_SCANS])
+        self.assertGreater(numbers(self.heard, "covariance")[0], 0.0)
+
+    def test_the_pose_is_where_the_robot_is(self):
+        truth, pose = numbers(self.heard, "truth")[0], numbers(self.heard, "pose")[0]
+        self.assertLess(abs(truth - pose), 0.05)
+
+    def test_the_map_is_the_room(self):
+        width, height, free, occupied = numbers(self.heard, "map")
+        self.assertTrue(80 < width < 400 and 80 < height < 400, self.heard)
+        self.assertGreater(free, 5000)
+        self.assertGreater(occupied, 200)
+
+    def test_one_who_comes_late_gets_the_map(self):
+        self.assertGreaterEqual(numbers(self.heard, "late_maps")[0], 1)
+
+    def test_services_answer(self):
+        self.assertNotIn("unanswered", self.heard)
+        self.assertIn("save_map 1 written", self.heard)
+        self.assertGreater(numbers(self.heard, "get_map")[2], 5000)
+        self.assertIn("pause 1 paused", self.heard)
+
+    def test_a_map_is_saved_below_the_output_folder_and_nowhere_else(self):
+        self.assertIn("slam_toolbox save_map 0", self.heard)
+        self.assertTrue(os.path.exists(os.path.join(self.out, "by_name", "map.yaml")))
+        self.assertIn("slam_toolbox save_map elsewhere 255", self.heard)
+        self.assertFalse(os.path.exists(os.path.join(self.folder.name, "elsewhere")))
+
+    def test_the_map_is_written_at_the_end(self):
+        self.assertTrue(os.path.exists(os.path.join(self.out, "map.yaml")))
+        with open(os.path.join(self.out, "trajectory.tum"), encoding="ascii") as file:
+            poses = [line for line in file if not line.startswith("#")]
+        self.assertEqual(len(poses), NUM_SCANS)
+
+
+class BesideOurOwnReplay(unittest.TestCase):
+    def test_a_log_over_the_wire_gives_the_map_of_the_log(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sim = os.path.join(folder, "sim")
+            subprocess.run([SETSQUARE, "simulate", "--building", "corridor", "--no-people", "--beams",
+                            "180", "--rate", "5", "-o", sim], check=True, capture_output=True)
+            log = os.path.join(sim, "scans.clf")
+            bag = os.path.join(folder, "scans.mcap")  # float32, as messages have it
+            # A stamp of 0 is none on the wire.
+            subprocess.run([SETSQUARE, "convert", log, bag, "--from", "1"], check=True,
+                           capture_output=True)
+            subprocess.run([SETSQUARE, "map", bag, "-o", os.path.join(folder, "map")], check=True,
+                           capture_output=True)
+            live = start_live(102, "-o", os.path.join(folder, "live"))
+            subprocess.run([SETSQUARE, "replay", bag, "--speed", "10", "--domain", "102"], check=True,
+                           capture_output=True, timeout=300)
+            time.sleep(1.0)
+            returncode, told, errors = stop(live)
+            self.assertEqual(returncode, 0, errors)
+            for name in ["trajectory.tum", "map.pgm", "map.yaml"]:
+                with open(os.path.join(folder, "map", name), "rb") as file:
+                    mapped = file.read()
+                with open(os.path.join(folder, "live", name), "rb") as file:
+                    self.assertEqual(file.read(), mapped, f"{name}\n{told}")
+
+
+class Alone(unittest.TestCase):
+    def test_without_a_scan_it_says_so(self):
+        live = start_live(103)
+        returncode, _, errors = stop(live)
+        self.assertEqual(returncode, 2)
+        self.assertIn("no scan", errors)
+
+    def test_it_listens_on_the_loopback_device_alone(self):
+        live = start_live(104)
+        inodes = set()
+        for entry in os.listdir(f"/proc/{live.pid}/fd"):
+            try:
+                target = os.readlink(f"/proc/{live.pid}/fd/{entry}")
+            except OSError:
+                continue
+            if target.startswith("socket:["):
+                inodes.add(target[8:-1])
+        addresses = []
+        for table in ["udp", "udp6", "tcp", "tcp6"]:
+            with open(f"/proc/{live.pid}/net/{table}", encoding="ascii") as file:
+                for line in list(file)[1:]:
+                    fields = line.split()
+                    if fields[9] in inodes:
+                        addresses.append(fields[1].split(":")[0])
+        stop(live)
+        self.assertTrue(addresses)
+        loopback, multicast = "0100007F", "0100FFEF"  # 127.0.0.1, 239.255.0.1
+        self.assertEqual(set(addresses) - {loopback, multicast}, set())
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)

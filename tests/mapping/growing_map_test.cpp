@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/growing_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "tests/mapping/tracked_world.hpp"
+
+namespace setsquare::growing_map_test {
+
+using testing::corridor_around_a_block;
+using testing::drive;
+using testing::scans_on_drive;
+using testing::way_around_the_block;
+
+constexpr double kNoise_m = 0.01;
+
+std::vector<Scan> scans_on(const std::vector<Eigen::Vector2d>& way) {
+  return scans_on_drive(corridor_around_a_block(), drive(way), kNoise_m, testing::kAllAround);
+}
+
+TrackSteps steps_of(const std::vector<Scan>& scans) {
+  LogTracker tracker{MapperParams{}};
+  TrackSteps all;
+  for (const Scan& scan : scans) {
+    TrackSteps steps;
+    (void)tracker.add(scan, std::nullopt, steps);
+    if (steps.begins_again) all.steps.clear();
+    for (TrackStep& step : steps.steps) all.steps.push_back(std::move(step));
+  }
+  return all;
+}
+
+SensorReports with_odometry(std::size_t num_scans) {
+  SensorReports sensors;
+  sensors.num_with_odometry = num_scans;
+  return sensors;
+}
+
+TrackSteps begun_again(const std::vector<TrackStep>& steps) {
+  return {.begins_again = true, .steps = steps};
+}
+
+void expect_same(const Map& a, const Map& b) {
+  ASSERT_EQ(a.scans.size(), b.scans.size());
+  for (std::size_t i = 0; i < a.scans.size(); ++i) {
+    ASSERT_EQ(a.scans[i].T_map_base, b.scans[i].T_map_base) << i;
+    ASSERT_EQ(a.scans[i].heading_sigma_rad, b.scans[i].heading_sigma_rad) << i;
+    ASSERT_EQ(a.scans[i].open_sigma_m, b.scans[i].open_sigma_m) << i;
+  }
+  EXPECT_EQ(a.track.T_odom_sensor, b.track.T_odom_sensor);
+  EXPECT_EQ(a.keyframes, b.keyframes);
+  EXPECT_EQ(a.graph.T_map_node, b.graph.T_map_node);
+  EXPECT_EQ(a.closures.size(), b.closures.size());
+  ASSERT_EQ(a.kept_scans.size(), b.kept_scans.size());
+  for (std::size_t i = 0; i < a.kept_scans.size(); ++i) {
+    ASSERT_EQ(a.kept_scans[i].index, b.kept_scans[i].index) << i;
+  }
+  ASSERT_EQ(a.sessions.size(), b.sessions.size());
+  for (std::size_t s = 0; s < a.sessions.size(); ++s) {
+    EXPECT_EQ(a.sessions[s].first_scan, b.sessions[s].first_scan);
+    EXPECT_EQ(a.sessions[s].num_scans, b.sessions[s].num_scans);
+    EXPECT_EQ(a.sessions[s].recency, b.sessions[s].recency);
+  }
+  EXPECT_EQ(a.num_with_odometry, b.num_with_odometry);
+}
+
+/// Of another drive in the same building: loops are closed in it, and nothing of it may be left.
+TrackSteps steps_that_do_not_hold() { return steps_of(scans_on(way_around_the_block())); }
+
+std::vector<Scan> half_a_round() { return scans_on({{15.0, 3.0}, {15.0, 11.0}, {4.0, 11.0}}); }
+
+TEST(GrowingMap, StepsThatBeginAgainLeaveNothingOfThoseBefore) {
+  const TrackSteps held = steps_of(scans_on({{1.0, 1.0}, {15.0, 1.0}, {15.0, 11.0}, {6.0, 11.0}}));
+  GrowingMap direct{MapperParams{}};
+  direct.add(TrackSteps{held});
+  GrowingMap again{MapperParams{}};
+  again.add(steps_that_do_not_hold());
+  again.add(begun_again(held.steps));
+  EXPECT_EQ(again.num_scans(), held.steps.size());
+  expect_same(again.make({}), direct.make({}));
+}
+
+TEST(GrowingMap, StepsThatBeginAgainLeaveTheMapThatIsGoneOnWith) {
+  GrowingMap known{MapperParams{}};
+  known.add(steps_of(scans_on(way_around_the_block())));
+  const Map before = known.make(with_odometry(7));
+  const TrackSteps held = steps_of(half_a_round());
+  GrowingMap direct{MapperParams{}};
+  direct.add(before);
+  direct.add(TrackSteps{held});
+  GrowingMap again{MapperParams{}};
+  again.add(before);
+  again.add(steps_that_do_not_hold());
+  again.add(begun_again({}));
+  GrowingMap untouched{MapperParams{}};
+  untouched.add(before);
+  expect_same(again.make({}), untouched.make({}));
+  again.add(TrackSteps{held});
+  const Map map = again.make(with_odometry(5));
+  expect_same(map, direct.make(with_odometry(5)));
+  EXPECT_EQ(map.num_with_odometry, 12U);
+  EXPECT_EQ(map.sessions.size(), 2U);
+}
+
+}  // namespace setsquare::growing_map_test
