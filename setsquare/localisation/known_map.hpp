@@ -18,7 +18,9 @@ class KnownMap {
 
   /// The pose of the grid, in whose frame places are searched.
   [[nodiscard]] const Pose2& T_map_grid() const { return T_map_grid_; }
+  /// How far the nearest wall is from each of its cells.
   [[nodiscard]] const WallDistance& walls() const { return walls_; }
+  /// With which scans are correlated.
   [[nodiscard]] const MapCorrelation& correlation() const { return correlation_; }
   /// Whether it has walls and free space at all.
   [[nodiscard]] bool is_empty() const { return is_empty_; }

@@ -21,19 +21,19 @@ struct PlaceSearchParams {
 
 /// How scan after scan is followed in a map. Every default works.
 struct LocalisationParams {
-  PlaceSearchParams search;
+  PlaceSearchParams search;       ///< How places are found.
   double min_probability = 0.97;  ///< Of one place: localised.
   double min_in_map = 0.5;        ///< Of all places together: ambiguous, else lost.
   /// Scans speak for or against places, and are searched for while the place is not known, after
   /// this way or turn: nearer ones tell the same again.
   double evidence_m = 0.4;
-  double evidence_rad = rad_from_deg(15.0);
+  double evidence_rad = rad_from_deg(15.0);  ///< See evidence_m.
   /// Scans are laid onto the map after this way or turn; between, tracking goes on alone.
   double fix_m = 0.1;
-  double fix_rad = rad_from_deg(5.0);
-  double evidence_weight = 0.5;  ///< Of each scan's log odds: scans are not independent.
-  double settled_m = 2.0;        ///< Driven while one place was certain: no more searching.
-  double max_log_odds = 12.0;    ///< Of a place: some contradictions must be able to outweigh it.
+  double fix_rad = rad_from_deg(5.0);  ///< See fix_m.
+  double evidence_weight = 0.5;        ///< Of each scan's log odds: scans are not independent.
+  double settled_m = 2.0;              ///< Driven while one place was certain: no more searching.
+  double max_log_odds = 12.0;  ///< Of a place: some contradictions must be able to outweigh it.
   double max_unconfirmed_m =
       8.0;  ///< Driven since a scan confirmed the place: farther, it is lost.
 

@@ -18,10 +18,10 @@ class KnownMap;  // setsquare/localisation/known_map.hpp
 
 /// Where the robot is at one scan.
 struct LocalisedPose {
-  Timestamp stamp;
-  LocalisationStatus status = LocalisationStatus::kLost;
+  Timestamp stamp;                                        ///< Of the scan.
+  LocalisationStatus status = LocalisationStatus::kLost;  ///< What is known of the place.
   Pose2 T_map_sensor;  ///< Of the most probable place; without meaning where no place is known.
-  Pose2 T_map_base;
+  Pose2 T_map_base;    ///< The robot's pose there, by the scan's mounting.
   double probability = 0.0;  ///< Of that place.
   /// Of (x, y, theta) of the sensor in the map frame, in m^2, m rad, rad^2, if it is that place.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -48,7 +48,9 @@ class Localizer {
   /// Throws ParameterError that names the field.
   explicit Localizer(std::shared_ptr<const KnownMap> map, const LocalisationParams& params = {});
   ~Localizer();
+  /// What was found moves along.
   Localizer(Localizer&&) noexcept;
+  /// Likewise.
   Localizer& operator=(Localizer&&) noexcept;
 
   /// The next scan, with the robot's pose by wheel odometry where the log has one. Throws

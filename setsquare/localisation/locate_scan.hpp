@@ -16,8 +16,8 @@ class KnownMap;  // setsquare/localisation/known_map.hpp
 
 /// A place where a scan may have been taken.
 struct PossiblePlace {
-  Pose2 T_map_sensor;
-  double probability = 0.0;
+  Pose2 T_map_sensor;        ///< Of the sensor there.
+  double probability = 0.0;  ///< That it was taken there.
   /// Of (x, y, theta) in the map frame, in m^2, m rad, rad^2, if it is this place. Along a
   /// direction that the walls leave open it is as wide as the search was.
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -25,7 +25,8 @@ struct PossiblePlace {
 
 /// Where a scan was taken.
 struct LocatedScan {
-  LocalisationStatus status = LocalisationStatus::kLost;
+  LocalisationStatus status =
+      LocalisationStatus::kLost;      ///< By the most probable place and by all.
   std::vector<PossiblePlace> places;  ///< The most probable first; the rest is "elsewhere".
 };
 

@@ -14,7 +14,7 @@ namespace setsquare {
 
 /// A place that the correlation proposes.
 struct MapProposal {
-  Pose2 T_grid_sensor;
+  Pose2 T_grid_sensor;  ///< The sensor in the middle of a cell.
   int correlation = 0;  ///< Sum of the cell values under the scan's samples.
 };
 
@@ -29,13 +29,15 @@ class MapCorrelation {
   static constexpr double kMaxReach_m = 30.0;    ///< Samples farther from the sensor have no part.
   static constexpr std::size_t kTileWidth = 64;  ///< Translations that are summed at once.
 
+  /// Of a map's cells.
   explicit MapCorrelation(const WallDistance& walls);
 
+  /// Side of its cells.
   [[nodiscard]] double cell_m() const { return cell_m_; }
 
   /// The sums of one rotation, reused between calls. One for each thread.
   struct Scratch {
-    std::vector<std::uint8_t> sums;
+    std::vector<std::uint8_t> sums;  ///< One per cell.
   };
 
   /// Appends the local maxima, over all translations, that reach `min_correlation`. Throws

@@ -16,11 +16,16 @@ class WallDistance {
  public:
   static constexpr double kReach_m = 2.5;  ///< What is farther counts as this far.
 
+  /// Of all cells of a grid.
   explicit WallDistance(const OccupancyGrid& grid);
 
+  /// Side of a cell, as the grid's.
   [[nodiscard]] double resolution_m() const { return resolution_m_; }
+  /// As the grid's.
   [[nodiscard]] std::int32_t num_columns() const { return num_columns_; }
+  /// As the grid's.
   [[nodiscard]] std::int32_t num_rows() const { return num_rows_; }
+  /// Whether the grid has the cell.
   [[nodiscard]] bool contains(CellIndex cell) const {
     return cell.column >= 0 && cell.row >= 0 && cell.column < num_columns_ && cell.row < num_rows_;
   }
@@ -38,9 +43,9 @@ class WallDistance {
 
   /// The distance at a place, and how it changes along x and y.
   struct Slope {
-    float distance_m = static_cast<float>(kReach_m);
-    float along_x = 0.0F;
-    float along_y = 0.0F;
+    float distance_m = static_cast<float>(kReach_m);  ///< To the nearest wall.
+    float along_x = 0.0F;                             ///< Change per metre along x.
+    float along_y = 0.0F;                             ///< The same along y.
   };
   /// Between the four cells about the place, linearly; far from everything outside the grid.
   [[nodiscard]] Slope slope_at(float x_m, float y_m) const;

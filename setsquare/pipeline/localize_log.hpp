@@ -20,30 +20,32 @@ namespace setsquare {
 /// any program (map_server, nav2). Throws FileError, FormatError.
 [[nodiscard]] OccupancyGrid read_grid_to_localise_in(const std::string& path);
 
+/// How a log is followed.
 struct LocalizeLogOptions {
-  LogOptions log;
-  bool uses_odometry = true;
+  LogOptions log;                         ///< Which scans, and how they are read.
+  bool uses_odometry = true;              ///< Where the log has it.
   std::optional<Pose2> T_map_base_start;  ///< Where the robot starts, if that is known.
-  LocalisationParams localisation;
+  LocalisationParams localisation;        ///< Every default works.
 };
 
 /// A log followed in a map.
 struct LocalizedLog {
   std::vector<LocalisedPose> poses;  ///< One per scan, in the order of the log.
   std::string name;                  ///< Of the log.
-  std::string format;
-  std::string sensor;
-  LogProblems problems;
+  std::string format;                ///< Of the log: "CARMEN log", ...
+  std::string sensor;                ///< The scanner's name in the log.
+  LogProblems problems;              ///< What was wrong with the log.
 };
 
 /// How many scans ended in each status.
 struct LocalisationCounts {
-  std::size_t num_localised = 0;
-  std::size_t num_ambiguous = 0;
-  std::size_t num_lost = 0;
-  std::size_t num_confirmed = 0;
+  std::size_t num_localised = 0;               ///< LocalisationStatus::kLocalised.
+  std::size_t num_ambiguous = 0;               ///< LocalisationStatus::kAmbiguous.
+  std::size_t num_lost = 0;                    ///< LocalisationStatus::kLost.
+  std::size_t num_confirmed = 0;               ///< Compared with the map, and agreeing.
   std::optional<std::size_t> first_localised;  ///< Index of the scan.
 };
+/// Counted over all scans.
 [[nodiscard]] LocalisationCounts counts_of(const LocalizedLog& log);
 
 /// Poses of the scans that were localised.

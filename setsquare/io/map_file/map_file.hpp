@@ -21,8 +21,8 @@ struct MapRecord {
 
 /// What a map file holds.
 struct SavedMap {
-  Map map;
-  MapRecord record;
+  Map map;           ///< As it was saved.
+  MapRecord record;  ///< How it was made.
 };
 
 /// The name of the map file in the folder that `setsquare map` writes.
