@@ -118,9 +118,14 @@ void add_live(CLI::App& application) {
       ->capture_default_str();
   live->add_option("--state",
                    options->state_path,
-                   "Folder that keeps what comes, a bag every 15 s: a run that was killed goes on")
+                   "Folder that keeps what comes: a run that was killed goes on")
       ->type_name("DIR")
       ->excludes("--replay");
+  live->add_option(
+          "--state-period", options->state_period_s, "From one file of --state to the next, in s")
+      ->check(app::number_above(0.0))
+      ->type_name("S")
+      ->capture_default_str();
   live->add_option("-o,--output", options->output_path, "Directory for the map, at the end")
       ->type_name("DIR");
   live->add_option(

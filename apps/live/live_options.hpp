@@ -6,6 +6,7 @@
 
 #include "apps/live/ros2_node.hpp"
 #include "setsquare/foxglove/server.hpp"
+#include "setsquare/live/journal.hpp"
 #include "setsquare/live/live_mapper.hpp"
 #include "setsquare/pipeline/map_log.hpp"
 
@@ -23,7 +24,8 @@ struct LiveOptions {
   foxglove::ServerOptions server;  ///< Where, then.
   std::string output_path;         ///< Empty: nothing is written.
   std::string state_path;          ///< Empty: a kill loses all.
-  std::string params_path;         ///< Empty: none.
+  double state_period_s = Journal::kPeriod_s;
+  std::string params_path;  ///< Empty: none.
   LiveMapperParams live;
   MapLogOptions mapping;
 

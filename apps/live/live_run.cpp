@@ -78,9 +78,12 @@ void LiveRun::open_network() {
   std::vector<std::string> kept;
   if (!options_.state_path.empty()) {
     kept = Journal::files_of(options_.state_path);
-    journal_ = std::make_unique<Journal>(options_.state_path, [](const std::string& reason) {
-      std::cerr << "what comes is not kept: " << reason << std::endl;
-    });
+    journal_ = std::make_unique<Journal>(
+        options_.state_path,
+        [](const std::string& reason) {
+          std::cerr << "what comes is not kept: " << reason << std::endl;
+        },
+        options_.state_period_s);
     queue->on_read([this](const MessageTopic& topic, const Message& message) {
       journal_->add(topic, message);
     });

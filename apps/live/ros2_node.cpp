@@ -279,6 +279,9 @@ ros::DiagnosticArray Ros2Node::diagnostics(const LiveSession& session) {
     }
   }
   if (session.is_paused()) warn("paused");
+  if (counts.num_undrawn > 0) {
+    warn(fmt::format("{} maps could not be made of what came", counts.num_undrawn));
+  }
   const std::uint64_t num_dropped = queue_.num_dropped();
   const std::uint64_t num_refused = participant_->num_refused();
   if (num_dropped > 0) warn(fmt::format("{} messages dropped: too many came", num_dropped));

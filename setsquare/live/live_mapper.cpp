@@ -12,11 +12,13 @@
 #include <deque>
 #include <exception>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/live/map_frame.hpp"
 #include "setsquare/mapping/growing_map.hpp"
@@ -334,11 +336,22 @@ void LiveMapper::Parts::track_again(TrackingAgain& again) {
   }
 }
 
+/// A map that cannot be made of what came (scans of a broken driver) is counted, and tried again
+/// with what comes.
 void LiveMapper::Parts::draw() {
   has_changed_ = false;
   const auto begin = Clock::now();
-  Map map = map_.make(sensors_);
-  OccupancyGrid grid = occupancy_grid(map);
+  next_drawing_ = begin + duration_of(params_.map_period_s);
+  Map map;
+  std::optional<OccupancyGrid> grid;
+  try {
+    map = map_.make(sensors_);
+    grid = occupancy_grid(map);
+  } catch (const Error&) {
+    const std::lock_guard lock(mutex_);
+    ++counts_.num_undrawn;
+    return;
+  }
   const double duration_s = std::chrono::duration<double>(Clock::now() - begin).count();
   next_drawing_ =
       begin + duration_of(std::max(params_.map_period_s, duration_s / params_.max_drawing_share));
@@ -349,7 +362,7 @@ void LiveMapper::Parts::draw() {
     ++counts_.num_maps;
     counts_.map_duration_s = duration_s;
     drawn = std::make_shared<const LiveMap>(
-        LiveMap{.number = counts_.num_maps, .map = std::move(map), .grid = std::move(grid)});
+        LiveMap{.number = counts_.num_maps, .map = std::move(map), .grid = std::move(*grid)});
     last_map_ = drawn;
     // A piece of track that could not be joined lies anywhere: the robot goes on from where it was.
     if (last.is_placed) {

@@ -35,6 +35,7 @@ struct LiveCounts {
   std::size_t num_lost = 0;     ///< Of these, not placed.
   std::size_t num_behind = 0;   ///< Tracked, but not yet part of the growing map.
   std::size_t num_maps = 0;     ///< Drawn.
+  std::size_t num_undrawn = 0;  ///< Maps that could not be made of what came.
   std::size_t num_again = 0;    ///< Times that all was tracked again.
   double map_duration_s = 0.0;  ///< That drawing the last map took.
 };

@@ -43,9 +43,24 @@ MappedLog LiveSession::run(LogReader& reader) {
     const std::lock_guard lock(mutex_);
     mapped = told_;
   }
-  mapped.map = mapper()->finish();
+  mapped.map = finished_map(mapped);
   require_something_mapped(mapped);
   return mapped;
+}
+
+/// Where no map can be made of all that came, the last one that could be.
+Map LiveSession::finished_map(MappedLog& mapped) {
+  const std::shared_ptr<LiveMapper> mapper = this->mapper();
+  try {
+    return mapper->finish();
+  } catch (const Error& error) {
+    const LiveMapPtr last = mapper->last_map();
+    if (!last) throw;
+    mapped.problems.remarks.push_back("the map could not be finished (" +
+                                      std::string(error.what()) + "): it is that of the first " +
+                                      std::to_string(last->map.scans.size()) + " scans");
+    return last->map;
+  }
 }
 
 void LiveSession::begin_again() {

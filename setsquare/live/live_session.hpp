@@ -64,6 +64,7 @@ class LiveSession {
 
  private:
   void add(const LogRecord& record);
+  [[nodiscard]] Map finished_map(MappedLog& mapped);
   void begin_again();
   void tell(const LogReader& reader);
   [[nodiscard]] std::shared_ptr<LiveMapper> mapper() const;

@@ -102,7 +102,7 @@ struct PieceJoiningParams {
   /// Of another log nothing tells in which of two rooms that are alike it was. The places that
   /// agree must lie so far apart ...
   double min_extent_m = 5.0;
-  /// ... and of the keyframes beside them no larger share may see through the map's walls, or the
+  /// ... and of the keyframes about them no larger share may see through the map's walls, or the
   /// map through theirs.
   double max_seen_through = 0.3;
 

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot on Cyclone DDS, which shares no code with Setsquare: drives through an L-shaped room,
 // publishes its scans, its mounting and its odometry, hears what live mapping finds, and asks its
-// services. robot_peer DOMAIN NUM_SCANS PERIOD_MS prints what it heard, a line each.
+// services. robot_peer DOMAIN NUM_SCANS PERIOD_MS [slam_toolbox] prints what it heard, a
+// line each; the last asks slam_toolbox's services, too.
 #include <dds/dds.h>
 #include <math.h>
 #include <stdbool.h>
@@ -196,7 +197,7 @@ static void hear(dds_entity_t tf, dds_entity_t pose, dds_entity_t map, dds_entit
     if (!is_answered) printf("%s unanswered\n", service);                                       \
   } while (0)
 
-static void ask_all(void) {
+static void ask_all(bool has_slam_toolbox) {
   std_srvs_srv_dds__Trigger_Request_ save = {0};
   ASK("/setsquare/save_map", std_srvs_srv_dds__Trigger, std_srvs_srv_dds__Trigger, save, reply, {
     printf("save_map %d %s\n", reply->success, reply->message);
@@ -206,6 +207,12 @@ static void ask_all(void) {
     see_grid(&reply->grid);
     printf("get_map %u %u %u %u\n", map_width, map_height, num_free, num_occupied);
   });
+  std_srvs_srv_dds__SetBool_Request_ pause = {0};
+  pause.data = true;
+  ASK("/setsquare/pause", std_srvs_srv_dds__SetBool, std_srvs_srv_dds__SetBool, pause, reply, {
+    printf("pause %d %s\n", reply->success, reply->message);
+  });
+  if (!has_slam_toolbox) return;
   slam_toolbox_srv_dds__SaveMap_Request_ named = {0};
   char name[] = "by_name";
   named.name.data = name;
@@ -215,15 +222,10 @@ static void ask_all(void) {
   named.name.data = elsewhere;
   ASK("/slam_toolbox/save_map", slam_toolbox_srv_dds__SaveMap, slam_toolbox_srv_dds__SaveMap, named,
       reply, { printf("slam_toolbox save_map elsewhere %d\n", reply->result); });
-  std_srvs_srv_dds__SetBool_Request_ pause = {0};
-  pause.data = true;
-  ASK("/setsquare/pause", std_srvs_srv_dds__SetBool, std_srvs_srv_dds__SetBool, pause, reply, {
-    printf("pause %d %s\n", reply->success, reply->message);
-  });
 }
 
 int main(int argc, char **argv) {
-  if (argc != 4) return 2;
+  if (argc < 4) return 2;
   const int num = atoi(argv[2]), period_ms = atoi(argv[3]);
   if (num > MAX_SCANS) return 2;
   participant = checked(dds_create_participant((dds_domainid_t)atoi(argv[1]), NULL, NULL), "domain");
@@ -289,7 +291,7 @@ int main(int argc, char **argv) {
     TAKE(late, Grid, heard, { ++num_late, see_grid(heard); });
   }
   printf("late_maps %d\n", num_late);
-  ask_all();
+  ask_all(argc > 4);
   hear(heard_tf, heard_pose, heard_map, heard_diagnostics);
   printf("diagnostics %d\n", num_diagnostics);
   dds_delete(participant);

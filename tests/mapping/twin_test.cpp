@@ -12,8 +12,8 @@ using testing::drive;
 using testing::spaced;
 using testing::Wall;
 
-/// A room with a door onto a corridor that leads to the right, or else to the left.
-std::vector<Wall> room_on_corridor(bool is_to_the_right) {
+/// A room with a door onto a corridor, or else onto a hall.
+std::vector<Wall> room_on(bool is_corridor) {
   std::vector<Wall> walls{{0.0, 0.0, 4.0, 0.0},
                           {5.0, 0.0, 6.0, 0.0},
                           {6.0, 0.0, 6.0, 5.0},
@@ -22,30 +22,23 @@ std::vector<Wall> room_on_corridor(bool is_to_the_right) {
                           {1.0, 5.0, 1.0, 4.4},
                           {1.0, 4.4, 2.0, 4.4},
                           {2.0, 4.4, 2.0, 5.0}};
-  const std::vector<Wall> corridor = is_to_the_right ? std::vector<Wall>{{3.0, -2.0, 16.0, -2.0},
-                                                                         {3.0, -2.0, 3.0, 0.0},
-                                                                         {6.0, 0.0, 16.0, 0.0},
-                                                                         {16.0, -2.0, 16.0, 0.0}}
-                                                     : std::vector<Wall>{{-8.0, -2.0, 6.0, -2.0},
-                                                                         {6.0, -2.0, 6.0, 0.0},
-                                                                         {-8.0, 0.0, 0.0, 0.0},
-                                                                         {-8.0, -2.0, -8.0, 0.0}};
+  const double y_m = is_corridor ? -2.0 : -6.0;
+  const std::vector<Wall> corridor{
+      {3.0, y_m, 16.0, y_m}, {3.0, y_m, 3.0, 0.0}, {6.0, 0.0, 16.0, 0.0}, {16.0, y_m, 16.0, 0.0}};
   walls.insert(walls.end(), corridor.begin(), corridor.end());
   return walls;
 }
 
-const std::vector<Eigen::Vector2d> kWayToTheRight{
+const std::vector<Eigen::Vector2d> kWay{
     {1.0, 1.0}, {3.0, 4.0}, {4.5, 2.0}, {4.5, -1.0}, {9.0, -1.0}};
-const std::vector<Eigen::Vector2d> kWayToTheLeft{
-    {1.0, 1.5}, {3.5, 4.0}, {4.5, 2.0}, {4.5, -1.0}, {0.0, -1.0}};
 
-/// A piece that was in the room with the corridor to the right, and one that was in its twin, or
-/// there again.
+/// A piece that was in the room on the corridor, and one that was in its twin on a hall, or there
+/// again.
 struct TwoPieces {
   explicit TwoPieces(bool is_twin) {
-    add(room_on_corridor(true), kWayToTheRight, 0);
+    add(room_on(true), kWay, 0);
     num_known = track.size();
-    add(room_on_corridor(!is_twin), is_twin ? kWayToTheLeft : kWayToTheRight, 1);
+    add(room_on(!is_twin), kWay, 1);
   }
   void add(const std::vector<Wall>& walls,
            const std::vector<Eigen::Vector2d>& way,

@@ -19,7 +19,7 @@ constexpr double kSameSpot_m = 3.0;
 /// Farther away, as the robot drives, tracking drifts.
 constexpr double kUndrifted_m = 12.0;
 /// Fewer keyframes tell nothing.
-constexpr std::size_t kFewestBeside = 4;
+constexpr std::size_t kFewestCompared = 4;
 
 double straight_m(const Pose2& a, const Pose2& b) {
   return (a.translation() - b.translation()).norm();
@@ -35,11 +35,11 @@ double extent_m(const std::vector<std::size_t>& places, std::span<const Pose2> T
   return extent_m;
 }
 
-/// Keyframes of the piece beside all of the places, but not far from one of them along the track.
-std::set<std::size_t> keyframes_beside(const JoiningClaim& claim,
-                                       const KeyframeTrack& track,
-                                       std::span<const Pose2> T_map_sensor) {
-  std::set<std::size_t> found;
+/// Keyframes of the piece that are not far from one of the places along the track.
+std::set<std::size_t> keyframes_about(const JoiningClaim& claim,
+                                      const KeyframeTrack& track,
+                                      std::span<const Pose2> T_map_sensor) {
+  std::set<std::size_t> found(claim.places.begin(), claim.places.end());
   for (const std::size_t place : claim.places) {
     for (const bool is_forward : {false, true}) {
       double way_m = 0.0;
@@ -53,13 +53,23 @@ std::set<std::size_t> keyframes_beside(const JoiningClaim& claim,
       }
     }
   }
-  std::erase_if(found, [&](std::size_t k) {
-    return std::ranges::any_of(claim.places, [&](std::size_t place) {
-      return straight_m(T_map_sensor[place], T_map_sensor[k]) < kSameSpot_m;
-    });
-  });
   return found;
 }
+
+/// How keyframes of the piece compare with what is known where they would stand.
+struct SeenThrough {
+  std::size_t num_compared = 0;
+  std::size_t num_contradicted = 0;
+
+  void add(bool is_contradicted) {
+    ++num_compared;
+    num_contradicted += is_contradicted ? 1 : 0;
+  }
+  [[nodiscard]] bool is_more_than(double share) const {
+    return num_compared >= kFewestCompared &&
+           static_cast<double>(num_contradicted) > share * static_cast<double>(num_compared);
+  }
+};
 
 }  // namespace
 
@@ -72,9 +82,9 @@ bool may_be_twin(const JoiningClaim& claim,
   for (std::size_t k = 0; k < track.size(); ++k) {
     if (claim.known[k]) known.add(T_map_sensor[k].translation(), k);
   }
-  std::size_t num_compared = 0;
-  std::size_t num_contradicted = 0;
-  for (const std::size_t k : keyframes_beside(claim, track, T_map_sensor)) {
+  SeenThrough all;
+  SeenThrough beside;
+  for (const std::size_t k : keyframes_about(claim, track, T_map_sensor)) {
     const Pose2 T_map_k = claim.T_map_piece * T_map_sensor[k];
     std::optional<std::size_t> nearest;
     double nearest_m = kSameView_m;
@@ -85,16 +95,16 @@ bool may_be_twin(const JoiningClaim& claim,
       nearest = other;
     });
     if (!nearest) continue;
-    ++num_compared;
-    if (see_through_each_other(*track.keyframes[*nearest],
-                               *track.keyframes[k],
-                               T_map_sensor[*nearest].inverse() * T_map_k)) {
-      ++num_contradicted;
-    }
+    const bool is_contradicted = see_through_each_other(*track.keyframes[*nearest],
+                                                        *track.keyframes[k],
+                                                        T_map_sensor[*nearest].inverse() * T_map_k);
+    all.add(is_contradicted);
+    const bool is_beside = std::ranges::none_of(claim.places, [&](std::size_t place) {
+      return straight_m(T_map_sensor[place], T_map_sensor[k]) < kSameSpot_m;
+    });
+    if (is_beside) beside.add(is_contradicted);
   }
-  return num_compared >= kFewestBeside &&
-         static_cast<double>(num_contradicted) >
-             params.max_seen_through * static_cast<double>(num_compared);
+  return all.is_more_than(params.max_seen_through) || beside.is_more_than(params.max_seen_through);
 }
 
 }  // namespace setsquare

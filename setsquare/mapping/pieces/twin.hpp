@@ -22,9 +22,9 @@ struct JoiningClaim {
 };
 
 /// Whether the places that say where a piece of another session lies may be those of a room that is
-/// alike: they lie no farther apart than those of one room do, or of the keyframes beside them, a
-/// little farther along the track, too many see through what is known there. Two rooms that are
-/// alike lie at different places of different corridors.
+/// alike: they lie no farther apart than those of one room do, or of the keyframes about them too
+/// many see through what is known there, or of those beside them, a little farther along the track.
+/// Two rooms that are alike lie at different places of different corridors.
 [[nodiscard]] bool may_be_twin(const JoiningClaim& claim,
                                const KeyframeTrack& track,
                                std::span<const Pose2> T_map_sensor,

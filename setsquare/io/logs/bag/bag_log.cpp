@@ -208,6 +208,7 @@ void BagLog::add_odometry(const std::string& topic,
                           const Pose2& T_odom_base,
                           std::string_view base_frame) {
   odometry_clock_offset_ns_[topic] = message.log_time.ns - stamp.ns;
+  odometry_arrivals_[topic] = message.log_time;
   odometry_.add(topic, stamp, T_odom_base, std::string(ros::plain_frame_name(base_frame)));
 }
 
@@ -268,6 +269,11 @@ bool BagLog::is_mounting_settled(const Pending& pending) const {
 bool BagLog::is_odometry_settled(const Pending& pending) const {
   const double waited_s = seconds_between(pending.arrival, last_log_time_);
   if (odometry_.chosen().empty()) return !is_beginning();
+  const auto last = odometry_arrivals_.find(odometry_.chosen());
+  if (last != odometry_arrivals_.end() &&
+      seconds_between(last->second, pending.arrival) > kSilentOdometry_s) {
+    return true;
+  }
   return waited_s > kMaxWaitForOdometry_s || odometry_.reaches(in_odometry_clock(pending));
 }
 

@@ -33,6 +33,8 @@ class BagLog final : public RecordStream {
  public:
   static constexpr double kMaxWaitForFrame_s = 5.0;
   static constexpr double kMaxWaitForOdometry_s = 1.0;
+  /// Odometry that was silent for so long is not waited for.
+  static constexpr double kSilentOdometry_s = 3.0;
   static constexpr std::size_t kMaxPending = 2048;
 
   BagLog(std::unique_ptr<MessageSource> source, const LogOptions& options);
@@ -100,7 +102,8 @@ class BagLog final : public RecordStream {
   /// Log time minus stamp of each topic's last message: in a recording that was made faster than
   /// the robot drove, it changes.
   std::map<std::string, std::int64_t> odometry_clock_offset_ns_;
-  std::map<std::string, Timestamp> newest_stamps_;  ///< By topic.
+  std::map<std::string, Timestamp> odometry_arrivals_;  ///< Log time of the last, by topic.
+  std::map<std::string, Timestamp> newest_stamps_;      ///< By topic.
   std::deque<Pending> pending_;
   std::vector<Pending> spare_;                       ///< Whose memory is used again.
   std::map<std::string, ros::PointSlicer> slicers_;  ///< By the topic of clouds.
