@@ -32,7 +32,7 @@ PyKnownMap known_map_from(const py::object& map) {
   if (py::isinstance<PyMap>(map)) {
     const auto& mapped = map.cast<const PyMap&>();
     return without_gil(
-        [&] { return std::make_shared<KnownMap>(occupancy_grid(mapped.mapped->map)); });
+        [&] { return std::make_shared<KnownMap>(occupancy_grid(mapped.map())); });
   }
   const std::string path = path_from(map);
   return without_gil([&] { return std::make_shared<KnownMap>(read_grid_to_localise_in(path)); });
