@@ -31,8 +31,7 @@ PyKnownMap known_map_from(const py::object& map) {
   }
   if (py::isinstance<PyMap>(map)) {
     const auto& mapped = map.cast<const PyMap&>();
-    return without_gil(
-        [&] { return std::make_shared<KnownMap>(occupancy_grid(mapped.map())); });
+    return without_gil([&] { return std::make_shared<KnownMap>(occupancy_grid(mapped.map())); });
   }
   const std::string path = path_from(map);
   return without_gil([&] { return std::make_shared<KnownMap>(read_grid_to_localise_in(path)); });
@@ -56,8 +55,8 @@ struct PyLocalizer {
 
 void bind_places(py::module_& module) {
   py::class_<PossiblePlace>(module, "PossiblePlace", "A place where a scan may have been taken.")
-      .def_readonly("T_map_sensor", &PossiblePlace::T_map_sensor)
-      .def_readonly("probability", &PossiblePlace::probability)
+      .def_readonly("T_map_sensor", &PossiblePlace::T_map_sensor, "Of the sensor there.")
+      .def_readonly("probability", &PossiblePlace::probability, "That it was taken there.")
       .def_property_readonly(
           "covariance",
           [](const PossiblePlace& place) { return array_of<3, 3>(place.covariance); },
@@ -89,7 +88,8 @@ void bind_places(py::module_& module) {
           [](const LocalisedPose& pose) { return std::string(to_string(pose.status)); },
           R"("localised", "ambiguous" or "lost".)")
       .def_readonly("T_map_sensor", &LocalisedPose::T_map_sensor, "Of the most probable place.")
-      .def_readonly("T_map_base", &LocalisedPose::T_map_base)
+      .def_readonly(
+          "T_map_base", &LocalisedPose::T_map_base, "The robot's, by the scan's mounting.")
       .def_readonly("probability", &LocalisedPose::probability, "Of that place.")
       .def_property_readonly(
           "covariance",
