@@ -46,5 +46,6 @@ int main() {
   std::cout << names.size() << " files, " << error.translation_m.max << " m\n";
   const auto& last = map.scans.back().T_map_base;
   const double way_m = std::hypot(last.x_m, last.y_m);
-  return names.size() == 10 && std::abs(way_m - 1.9) < 0.1 && error.translation_m.max < 1e-5 ? 0 : 1;
+  return names.size() == 10 && std::abs(way_m - 1.9) < 0.1 && error.translation_m.max < 1e-5 ? 0
+                                                                                             : 1;
 }
