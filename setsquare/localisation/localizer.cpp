@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
+#include <functional>
 #include <span>
 #include <utility>
 
@@ -25,6 +26,9 @@ constexpr double kDrift_rad = rad_from_deg(0.3);       // Likewise.
 constexpr double kTurnDrift_rad = rad_from_deg(1.0);   // Per root of a radian.
 constexpr double kLostDrift_m = 0.5;                   // Of a scan that tracking has lost.
 constexpr double kLostDrift_rad = rad_from_deg(10.0);  // Likewise.
+
+/// Of a place against "elsewhere", below which it is not followed.
+constexpr double kLeastLogOdds = -6.0;
 
 void require_finite_pose(const Pose2& pose, const char* name) {
   if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) return;
@@ -162,6 +166,7 @@ void Localizer::Parts::weigh(const SoughtScan& sought, double weight, bool searc
   for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
   std::vector<Hypothesis> found;
   for (std::size_t i = num_before; i < places.size(); ++i) {
+    if (log_odds[i] < kLeastLogOdds) continue;
     if (!is_another_place(places[i], log_odds[i], std::span(log_odds).first(num_before))) continue;
     Hypothesis hypothesis{.T_grid_odom = places[i].T_grid_sensor * T_odom_sensor_.inverse(),
                           .covariance = covariance_of(places[i])};
@@ -239,18 +244,23 @@ void Localizer::Parts::believe_said(const Scan& scan, const SoughtScan& sought) 
   past_.clear();
   has_weighed_ = false;
   weigh(sought, 1.0, true);
-  std::erase_if(hypotheses_, [&](const Hypothesis& hypothesis) {
-    return has_moved(said, hypothesis.T_grid_odom * T_odom_sensor_, kNear_m, kNear_rad);
-  });
-  for (Hypothesis& hypothesis : hypotheses_) hypothesis.log_odds += kBelief;
-  if (!hypotheses_.empty()) return;
-  Hypothesis told{.T_grid_odom = said * T_odom_sensor_.inverse(), .log_odds = kBelief};
+  const auto is_near = [&](const Hypothesis& hypothesis) {
+    return !has_moved(said, hypothesis.T_grid_odom * T_odom_sensor_, kNear_m, kNear_rad);
+  };
+  if (std::ranges::any_of(hypotheses_, is_near)) {
+    std::erase_if(hypotheses_, std::not_fn(is_near));
+    for (Hypothesis& hypothesis : hypotheses_) hypothesis.log_odds += kBelief;
+    return;
+  }
+  // The scan fits nowhere near: what is said is one place among those that it fits.
+  const VerifiedPlace place = verified_place(*map_, sought, said);
+  Hypothesis told{.T_grid_odom = said * T_odom_sensor_.inverse(),
+                  .log_odds = kBelief + presence_log_odds(place_features(place))};
   told.covariance.diagonal() << 0.25, 0.25, 0.07;
   hypotheses_.push_back(told);
 }
 
 void Localizer::Parts::drop_unlikely() {
-  constexpr double kLeast = -6.0;     // Against "elsewhere".
   constexpr double kFarBehind = 9.0;  // Against the best one.
   if (hypotheses_.empty()) return;
   std::ranges::stable_sort(hypotheses_, std::ranges::greater{}, &Hypothesis::log_odds);
@@ -258,7 +268,7 @@ void Localizer::Parts::drop_unlikely() {
   if (excess > 0.0) {
     for (Hypothesis& hypothesis : hypotheses_) hypothesis.log_odds -= excess;
   }
-  const double floor = std::max(kLeast, hypotheses_.front().log_odds - kFarBehind);
+  const double floor = std::max(kLeastLogOdds, hypotheses_.front().log_odds - kFarBehind);
   std::erase_if(hypotheses_,
                 [&](const Hypothesis& hypothesis) { return hypothesis.log_odds < floor; });
   // Two that came to one place are one.

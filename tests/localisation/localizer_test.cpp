@@ -122,6 +122,16 @@ TEST_F(MappedRoom, APoseThatIsSaidTellsAlikePlacesApart) {
   EXPECT_LT(error_m(pose, way[59]), 0.06);
 }
 
+TEST_F(MappedRoom, APoseThatIsSaidWronglyIsNotBelievedAgainstTheScans) {
+  Localizer localizer(map_);
+  localizer.set_pose({2.0, 7.5, 1.0});  // In the other wing.
+  for (std::size_t i = 0; i < scans_.size() / 2; ++i) {
+    const LocalisedPose pose = localizer.add(scans_[i]);
+    if (pose.status != LocalisationStatus::kLocalised) continue;
+    EXPECT_LT(error_m(pose, poses_[i]), 0.1) << "scan " << i;
+  }
+}
+
 TEST_F(MappedRoom, ScansOfAnotherRoomAreNotLocalised) {
   const auto walls = std::vector<testing::Wall>{{0.0, 0.0, 6.0, 0.0},
                                                 {6.0, 0.0, 7.5, 4.0},
