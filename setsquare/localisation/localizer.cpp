@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/finite_pose.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/place_covariance.hpp"
 #include "setsquare/localisation/place_probability.hpp"
@@ -29,11 +30,6 @@ constexpr double kLostDrift_rad = rad_from_deg(10.0);  // Likewise.
 
 /// Of a place against "elsewhere", below which it is not followed.
 constexpr double kLeastLogOdds = -6.0;
-
-void require_finite_pose(const Pose2& pose, const char* name) {
-  if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) return;
-  throw ParameterError(name, "must be finite");
-}
 
 bool has_moved(const Pose2& from, const Pose2& to, double way_m, double turn_rad) {
   return (to.translation() - from.translation()).norm() >= way_m ||
@@ -96,6 +92,8 @@ class Localizer::Parts {
   /// Keeps what is near the pose that was said, and adds that pose if nothing is.
   void believe_said(const Scan& scan, const SoughtScan& sought);
   void drop_unlikely();
+  /// Of the hypotheses, in their order.
+  [[nodiscard]] std::vector<double> probabilities() const;
   [[nodiscard]] bool is_certain() const;
   [[nodiscard]] LocalisedPose answer(const Scan& scan) const;
 
@@ -283,11 +281,14 @@ void Localizer::Parts::drop_unlikely() {
   hypotheses_ = std::move(different);
 }
 
-bool Localizer::Parts::is_certain() const {
+std::vector<double> Localizer::Parts::probabilities() const {
   std::vector<double> log_odds;
   for (const Hypothesis& hypothesis : hypotheses_) log_odds.push_back(hypothesis.log_odds);
-  const std::vector<double> probabilities = place_probabilities(log_odds);
-  return !probabilities.empty() && probabilities.front() >= params_.min_probability;
+  return place_probabilities(log_odds);
+}
+
+bool Localizer::Parts::is_certain() const {
+  return !hypotheses_.empty() && probabilities().front() >= params_.min_probability;
 }
 
 LocalisedPose Localizer::Parts::answer(const Scan& scan) const {
@@ -296,9 +297,7 @@ LocalisedPose Localizer::Parts::answer(const Scan& scan) const {
   pose.unconfirmed_m = unconfirmed_m_;
   pose.is_confirmed = is_confirmed_;
   if (hypotheses_.empty()) return pose;
-  std::vector<double> log_odds;
-  for (const Hypothesis& hypothesis : hypotheses_) log_odds.push_back(hypothesis.log_odds);
-  const std::vector<double> probabilities = place_probabilities(log_odds);
+  const std::vector<double> shares = probabilities();
   // How far the map's walls are off just there is the same for all scans: it does not average out.
   constexpr double kWalls_m = 0.015;
   constexpr double kWalls_rad = rad_from_deg(0.2);
@@ -308,10 +307,10 @@ LocalisedPose Localizer::Parts::answer(const Scan& scan) const {
   double in_map = 0.0;
   constexpr double kLeast = 0.001;
   for (std::size_t i = 0; i < hypotheses_.size(); ++i) {
-    in_map += probabilities[i];
+    in_map += shares[i];
     const PossiblePlace place{
         map_->T_map_grid() * hypotheses_[i].T_grid_odom * T_odom_sensor_,
-        probabilities[i],
+        shares[i],
         turned_covariance(hypotheses_[i].covariance + walls_own, map_->T_map_grid().theta_rad)};
     if (i == 0) {
       pose.T_map_sensor = place.T_map_sensor;

@@ -11,6 +11,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/matching/distinct_wall.hpp"
+#include "setsquare/matching/keep_best.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 
@@ -22,18 +23,6 @@ struct RoughPlace {
   Pose2 T_grid_sensor;
   double fit = -1.0;
 };
-
-/// Keeps the best `count` and returns the correlation that a further one must reach.
-int keep_best_proposals(std::size_t count, std::vector<MapProposal>& proposals) {
-  if (proposals.size() <= count) return 0;
-  const auto last = proposals.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-  // Ties by place, so that the order does not depend on the library's nth_element.
-  std::nth_element(proposals.begin(), last, proposals.end(), [](const auto& a, const auto& b) {
-    return a.correlation > b.correlation;
-  });
-  proposals.resize(count);
-  return proposals.back().correlation;
-}
 
 constexpr float kFitTolerance_m = 0.3F;
 
@@ -206,8 +195,7 @@ std::vector<MapProposal> propose_places(const KnownMap& map,
     const double share = static_cast<double>(i) / static_cast<double>(params.num_rotations);
     const double rotation_rad = wrap_to_pi(share * kTwoPi);
     map.correlation().propose(scan.proposing, rotation_rad, min_correlation, scratch, proposals);
-    min_correlation =
-        std::max(min_correlation, keep_best_proposals(params.num_proposals, proposals));
+    min_correlation = std::max(min_correlation, keep_best(params.num_proposals, proposals));
   }
   return proposals;
 }

@@ -2,21 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/log_tracker.hpp"
 
-#include <cmath>
 #include <utility>
 
-#include "setsquare/core/error.hpp"
+#include "setsquare/core/finite_pose.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 
 namespace setsquare {
-namespace {
-
-void require_finite(const Pose2& pose, const char* name) {
-  if (std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad)) return;
-  throw ParameterError(name, "must be finite");
-}
-
-}  // namespace
 
 LogTracker::LogTracker(const MapperParams& params)
     : params_(params),
@@ -63,8 +54,8 @@ TrackedPose LogTracker::track(const Scan& scan,
 
 void LogTracker::require_valid(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   scan.validate();
-  require_finite(scan.T_base_sensor, "T_base_sensor");
-  if (T_wheels_base) require_finite(*T_wheels_base, "T_wheels_base");
+  require_finite_pose(scan.T_base_sensor, "T_base_sensor");
+  if (T_wheels_base) require_finite_pose(*T_wheels_base, "T_wheels_base");
 }
 
 TrackedPose LogTracker::place(const Scan& scan,

@@ -5,21 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setsquare/matching/keep_best.hpp"
 #include "setsquare/matching/trace.hpp"
 
 namespace setsquare {
 namespace {
-
-/// Keeps the best `count` and returns the correlation that a further one must reach.
-int keep_best(std::size_t count, std::vector<TranslationProposal>& proposals) {
-  if (proposals.size() <= count) return 0;
-  const auto last = proposals.begin() + static_cast<std::ptrdiff_t>(count) - 1;
-  std::nth_element(proposals.begin(), last, proposals.end(), [](const auto& a, const auto& b) {
-    return a.correlation > b.correlation;
-  });
-  proposals.resize(count);
-  return proposals.back().correlation;
-}
 
 std::vector<TranslationProposal> propose(const PreparedScan& current,
                                          const CorrelationGrid& grid,
