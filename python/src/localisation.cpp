@@ -5,10 +5,10 @@
 #include <pybind11/stl.h>
 
 #include <memory>
-#include <mutex>
 
 #include "python/src/bindings.hpp"
 #include "python/src/conversions.hpp"
+#include "python/src/guarded.hpp"
 #include "python/src/maps.hpp"
 #include "python/src/scans.hpp"
 #include "setsquare/core/error.hpp"
@@ -37,21 +37,7 @@ PyKnownMap known_map_from(const py::object& map) {
   return without_gil([&] { return std::make_shared<KnownMap>(read_grid_to_localise_in(path)); });
 }
 
-/// A localizer that several threads may use.
-struct PyLocalizer {
-  explicit PyLocalizer(const PyKnownMap& map) : localizer(map) {}
-
-  template <typename Function>
-  auto with(Function function) {
-    return without_gil([&] {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return function(localizer);
-    });
-  }
-
-  std::mutex mutex;
-  Localizer localizer;
-};
+using PyLocalizer = Guarded<Localizer>;
 
 void bind_places(py::module_& module) {
   py::class_<PossiblePlace>(module, "PossiblePlace", "A place where a scan may have been taken.")
@@ -118,7 +104,9 @@ void bind_localizer(py::module_& module) {
         pose = localizer.add(record.scan, record.T_odom_base)
 
 Nothing need be known of its start. Threads may share a localizer: they take turns.)")
-      .def(py::init<const PyKnownMap&>(), py::arg("map"))
+      .def(py::init(
+               [](const PyKnownMap& map) { return std::make_unique<PyLocalizer>(Localizer(map)); }),
+           py::arg("map"))
       .def(
           "add",
           [](PyLocalizer& self,

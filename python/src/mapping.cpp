@@ -7,10 +7,10 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <mutex>
 
 #include "python/src/bindings.hpp"
 #include "python/src/conversions.hpp"
+#include "python/src/guarded.hpp"
 #include "python/src/log_options.hpp"
 #include "python/src/maps.hpp"
 #include "python/src/scans.hpp"
@@ -69,22 +69,7 @@ PyMap map_log_of(const py::object& path,
       [&] { return map_logs(paths, options, {.on_progress = std::ref(watch), .on_stage = {}}); }));
 }
 
-/// A mapper that several threads may use.
-struct PyMapper {
-  explicit PyMapper(Mapper begun) : mapper(std::move(begun)) {}
-
-  /// Calls `function` with the mapper while no other thread does, with Python's interpreter free.
-  template <typename Function>
-  auto with(Function function) {
-    return without_gil([&] {
-      const std::lock_guard<std::mutex> lock(mutex);
-      return function(mapper);
-    });
-  }
-
-  std::mutex mutex;
-  Mapper mapper;
-};
+using PyMapper = Guarded<Mapper>;
 
 std::unique_ptr<PyMapper> mapper_from(const PyMap* continue_from, bool audit, int num_threads) {
   MapperParams params;
