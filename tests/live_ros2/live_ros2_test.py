@@ -7,6 +7,7 @@ Domains are those from 100 up that no other test of this machine uses; everythin
 loopback device.
 """
 import atexit
+import glob
 import os
 import re
 import signal
@@ -53,6 +54,17 @@ def drive(domain, num_scans, period_ms, *options):
                           capture_output=True, timeout=300, env=environment, check=False)
     assert peer.returncode == 0, peer.stderr
     return peer.stdout
+
+
+def kept_files(folder):
+    return set(glob.glob(os.path.join(folder, "*.mcap")))
+
+
+def wait_for_new_files(folder, num_files, replay):
+    before = kept_files(folder)
+    while len(kept_files(folder) - before) < num_files:
+        assert replay.poll() is None, "the log ended before the kill"
+        time.sleep(0.05)
 
 
 def numbers(heard, name):
@@ -175,10 +187,12 @@ class WhatGoesWrong(unittest.TestCase):
             options = ["--state", os.path.join(folder, "kept"), "--state-period", "0.5", "-o",
                        os.path.join(folder, "live")]
             live = start_live(106, *options)
-            replay = subprocess.Popen([SETSQUARE, "replay", bag, "--speed", "10", "--domain", "106"],
+            # Of 130 s of log, in 32 s. A kill waits for what this run has kept, not for a time: a
+            # machine may start programs slowly.
+            replay = subprocess.Popen([SETSQUARE, "replay", bag, "--speed", "4", "--domain", "106"],
                                       stdout=subprocess.DEVNULL)
             for _ in range(3):
-                time.sleep(4.0)
+                wait_for_new_files(os.path.join(folder, "kept"), 4, replay)
                 live.kill()
                 live.communicate()
                 live = start_live(106, *options)
@@ -188,11 +202,14 @@ class WhatGoesWrong(unittest.TestCase):
             self.assertEqual(returncode, 0, errors)
             with open(os.path.join(folder, "live", "trajectory.tum"), encoding="ascii") as file:
                 stamps = [float(line.split()[0]) for line in file if not line.startswith("#")]
+            # Every run's part is there: the first begins the log, the last ends it, and what is missing
+            # is what came within half a second before a kill and while a program started. That is
+            # little or nothing, by chance; here four times as much of the log's time.
             self.assertLess(stamps[0], 3.0)
+            self.assertGreater(stamps[-1], 120.0)
             gaps = [b - a for a, b in zip(stamps, stamps[1:])]
-            self.assertEqual(sum(gap > 1.0 for gap in gaps), 3, told)
-            # Ten times as fast: half a second of waiting, and the new program's start.
-            self.assertLess(max(gaps), 60.0)
+            self.assertGreater(min(gaps), 0.0)
+            self.assertLess(sum(gap for gap in gaps if gap > 1.0), 60.0, told)
 
 
 class Alone(unittest.TestCase):
