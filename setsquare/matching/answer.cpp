@@ -205,6 +205,10 @@ MatchResult answer(const PreparedScan& reference,
                    MatchTrace* trace) {
   if (candidates.empty()) return {.status = MatchStatus::kNoOverlap};
   const SweepRefinement refined = refine_answer(reference, current, candidates.front(), params);
+  // Refinement led out of the bounds: this is neither the answer nor a rival of the others.
+  if (!params.bounds.may_hold(refined.T_reference_current)) {
+    return answer(reference, current, candidates.subspan(1), params, trace);
+  }
   const CandidateMeasures ranked = measure_candidate(candidates, params.answer);
   const PoseMeasures measured =
       measure_pose(reference, current, refined.T_reference_current, params);

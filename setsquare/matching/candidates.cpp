@@ -125,6 +125,10 @@ std::vector<Candidate> search_candidates(const PreparedScan& reference,
                         params.score,
                         candidate);
   }
+  // Refinement may lead out of the bounds, to a place that is known not to be the answer.
+  std::erase_if(fine, [&](const Candidate& candidate) {
+    return !params.bounds.may_hold(candidate.T_reference_current);
+  });
   sort_best_first(fine);
   if (trace == nullptr) return fine;
   trace->candidates.clear();

@@ -23,7 +23,7 @@ struct SearchParams {
 };
 
 /// What is known of the motion before the scans are seen: poses beyond it are not considered, not
-/// as rivals either. By default nothing is known.
+/// as rivals either, and not where refinement leads to them. By default nothing is known.
 struct MotionBounds {
   /// Of the position of the current sensor in the reference's frame.
   double max_translation_m = std::numeric_limits<double>::infinity();

@@ -61,4 +61,33 @@ TEST(MotionBounds, ThatExcludeTheAnswerGiveNone) {
   EXPECT_NE(match(a, b, within(0.2, 0.3)).status, MatchStatus::kMatched);
 }
 
+/// Nearly round: a scan with noise is turned far by a step of its refinement.
+TEST(MotionBounds, HoldWhereverRefinementLeads) {
+  std::mt19937_64 random = testing::make_generator();
+  const MatchParams params = within(0.3, rad_from_deg(20.0));
+  int num_answers = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    std::vector<Eigen::Vector2d> corners;
+    const int num_corners = 7 + trial % 8;
+    for (int k = 0; k < num_corners; ++k) {
+      const double bearing_rad = 2.0 * kPi * k / num_corners;
+      const double radius_m = testing::uniform(random, 2.9, 3.1);
+      corners.emplace_back(radius_m * std::cos(bearing_rad), radius_m * std::sin(bearing_rad));
+    }
+    const auto hall = testing::closed_polygon(corners);
+    const Pose2 T_world_a{testing::uniform(random, -1, 1), testing::uniform(random, -1, 1), 0.3};
+    const Pose2 moved{0.1, -0.1, rad_from_deg(testing::uniform(random, -20, 20))};
+    const std::uint64_t seed = 100 + 2 * static_cast<std::uint64_t>(trial);
+    const Scan a = testing::scan_of_walls(hall, T_world_a, kFullTurn, 0.2, seed);
+    const Scan b = testing::scan_of_walls(hall, T_world_a * moved, kFullTurn, 0.2, seed + 1);
+    const MatchResult bounded = match(a, b, params);
+    if (!bounded.T_reference_current) continue;
+    ++num_answers;
+    EXPECT_TRUE(params.bounds.may_hold(*bounded.T_reference_current))
+        << trial << ": " << bounded.T_reference_current->translation().norm() << " m, "
+        << deg_from_rad(bounded.T_reference_current->theta_rad) << " deg";
+  }
+  EXPECT_GT(num_answers, 100);
+}
+
 }  // namespace setsquare::motion_bounds_test
