@@ -13,6 +13,7 @@
 #include "python/src/scans.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/paper/paper_matcher.hpp"
 #include "setsquare/pipeline/preset.hpp"
@@ -48,8 +49,14 @@ PreparedPyScan prepare_scan(const py::object& scan, const std::optional<double>&
 MatchParams bounded_params(const std::optional<double>& max_translation_m,
                            const std::optional<double>& max_rotation_deg) {
   MatchParams params;
-  if (max_translation_m) params.bounds.max_translation_m = *max_translation_m;
-  if (max_rotation_deg) params.bounds.max_rotation_rad = rad_from_deg(*max_rotation_deg);
+  if (max_translation_m) {
+    require_not_negative(*max_translation_m, "max_translation_m");
+    params.bounds.max_translation_m = *max_translation_m;
+  }
+  if (max_rotation_deg) {
+    require_not_negative(*max_rotation_deg, "max_rotation_deg");
+    params.bounds.max_rotation_rad = rad_from_deg(*max_rotation_deg);
+  }
   params.validate();
   return params;
 }

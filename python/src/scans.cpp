@@ -39,8 +39,11 @@ void set_bearings(Scan& scan, const ScanGeometry& geometry) {
     scan.bearing_step_rad = *geometry.bearing_step_rad;
     return;
   }
-  const double fov_rad = rad_from_deg(geometry.fov_deg.value_or(180.0));
-  if (!(fov_rad > 0.0)) throw ParameterError("fov_deg", "must be above 0 and at most 360");
+  const double fov_deg = geometry.fov_deg.value_or(180.0);
+  if (!(fov_deg > 0.0 && fov_deg <= 360.0)) {
+    throw ParameterError("fov_deg", "must be above 0 and at most 360");
+  }
+  const double fov_rad = rad_from_deg(fov_deg);
   scan.first_bearing_rad = -0.5 * fov_rad;
   scan.bearing_step_rad = symmetric_step_rad(fov_rad, scan.num_beams());
 }

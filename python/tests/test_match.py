@@ -65,8 +65,10 @@ def test_bounds_tell_a_quarter_turn_from_none():
     bounded = setsquare.match(ranges(0), ranges(20), fov_deg=360, max_rotation_deg=45)
     assert bounded.is_matched
     assert bounded.T_reference_current.theta_deg == pytest.approx(20, abs=0.3)
-    with pytest.raises(setsquare.ParameterError, match="max_rotation_rad"):
+    with pytest.raises(setsquare.ParameterError, match="max_rotation_deg"):
         setsquare.match(ranges(0), ranges(20), max_rotation_deg=-1)
+    with pytest.raises(setsquare.ParameterError, match="max_translation_m"):
+        setsquare.match(ranges(0), ranges(20), max_translation_m=-1)
 
 
 def test_threads_give_the_same_answers(room_scan):

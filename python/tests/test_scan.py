@@ -35,6 +35,8 @@ def test_the_field_of_view_gives_the_bearings():
                   {"fov_deg": 180, "first_bearing_rad": 0.0, "bearing_step_rad": 0.1}):
         with pytest.raises(setsquare.ParameterError):
             setsquare.Scan(np.ones(3), **wrong)
+    with pytest.raises(setsquare.ParameterError, match="fov_deg"):
+        setsquare.match(np.ones(3), np.ones(3), fov_deg=361)
 
 
 def test_points_are_the_returns_alone():
