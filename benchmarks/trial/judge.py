@@ -3,15 +3,16 @@
 """Whether a map is wrong, and whether it says so.
 
 The map is laid onto the truth where its spreads count from: the first pose that is placed lies on
-its truth, and the rotation about it is the best for all placed poses, positions weighted by the
-spread reported for each (at least 0.05 m) and headings likewise (1 deg). So a map that states a wide spread
+its truth, and the rotation about it is the best for all placed poses that nothing doubts (for all
+where each is doubted), positions weighted by the spread reported for each (at least 0.05 m) and
+headings likewise (1 deg). So a map that states a wide spread
 behind a corridor is turned by what it is sure of, and a bend is an error of what lies behind it.
 
 A placed pose is wrong and silent if
 - it is off by more than 0.5 m and by more than three times the standard deviation of its position,
   or by more than 5 deg and by more than three times that of its heading; and
-- nothing that is reported doubts it: a finding about the scans of the whole log. A scan that is
-  lost, or in a piece that was not joined, does not count as placed.
+- nothing that is reported doubts it: a finding about the scans of the whole log, or a doubt of
+  run.json whose scans it is among, but for those that name a wide spread. A scan that is lost, or in a piece that was not joined, does not count as placed.
 What is said of the odometry is no doubt: the map is to be right all the same."""
 import dataclasses
 import math
@@ -62,10 +63,15 @@ class Verdict:
 
 
 def _turned_onto(truth, mapped):
-    """The rotation, in rad, that lays placed poses onto their truth about the first of them."""
+    """The rotation, in rad, that lays placed poses that nothing doubts onto their truth about the
+    first of all."""
+    is_sure = [not placed.doubts for placed in mapped[1:]]
+    counts = [True, *is_sure] if any(is_sure) else [True] * len(mapped)
     (x0, y0, _), (u0, v0, _) = truth[0], mapped[0].pose
     cross = dot = 0.0
-    for (x, y, h), placed in zip(truth, mapped):
+    for (x, y, h), placed, is_counted in zip(truth, mapped, counts):
+        if not is_counted:
+            continue
         (u, v, g) = placed.pose
         weight = 1.0 / (placed.sigma_m ** 2 + 0.05 ** 2)
         of_heading = 1.0 / (math.radians(placed.sigma_deg) ** 2 + math.radians(1.0) ** 2)

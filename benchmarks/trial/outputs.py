@@ -8,6 +8,11 @@ import math
 from trial.judge import DOUBTS, MappedPose
 
 
+# Doubts of run.json that say more than a wide spread does.
+TOLD = {"contradicting pairs", "outvoted closures", "undecided turn", "may be mirrored",
+        "crossed walls", "loops not closed"}
+
+
 def poses_of(path):
     """A trajectory in TUM: [(stamp as text, (x, y, heading))]."""
     rows = [line.split() for line in path.read_text().splitlines() if not line.startswith("#")]
@@ -38,7 +43,8 @@ def _mapped_pose(row, whole):
 
 def mapped_poses(folder):
     """{stamp as text: MappedPose} of a folder that `setsquare map` filled, and its run.json. An
-    open stretch doubts no pose in it, but none there is surer than the stretch's length is."""
+    open stretch doubts no pose in it, but none there is surer than the stretch's length is; what
+    else the map doubts of itself counts for the scans that it names."""
     run = json.loads((folder / "run.json").read_text())
     whole = tuple(f["kind"] for f in run["findings"] if f["kind"] in DOUBTS)
     with open(folder / "poses.tsv", encoding="ascii", newline="") as table:
@@ -47,4 +53,9 @@ def mapped_poses(folder):
     for stretch in run["open_stretches"]:
         for scan in range(stretch["first_scan"], stretch["first_scan"] + stretch["num_scans"]):
             mapped[scan].sigma_m = max(mapped[scan].sigma_m, stretch["length_sigma_m"])
+    for doubt in run.get("doubts", []):
+        if doubt["kind"] not in TOLD:
+            continue
+        for scan in range(doubt["first_scan"], doubt["first_scan"] + doubt["num_scans"]):
+            mapped[scan].doubts += (doubt["kind"],)
     return {row["stamp"]: pose for row, pose in zip(rows, mapped)}, run

@@ -20,6 +20,10 @@ const char* to_string(DoubtKind kind) {
       return "refused odometry";
     case DoubtKind::kMirrored:
       return "may be mirrored";
+    case DoubtKind::kCrossedWalls:
+      return "crossed walls";
+    case DoubtKind::kNotClosed:
+      return "loops not closed";
   }
   return "unknown";
 }

@@ -19,10 +19,12 @@ enum class DoubtKind {
   kUndecidedTurn,       ///< The walls turn there: a slip of tracking, or another wing.
   kRefusedOdometry,     ///< The odometry was refused where the walls left a direction open, too.
   kMirrored,            ///< Odometry or gyro turn the other way than the scans, all along.
+  kCrossedWalls,        ///< Scans of the same place see through each other's walls over metres.
+  kNotClosed,           ///< Loops could not be closed: the map is the track as it was driven.
 };
 
 /// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "undecided
-/// turn", "refused odometry", "may be mirrored".
+/// turn", "refused odometry", "may be mirrored", "crossed walls", "loops not closed".
 [[nodiscard]] const char* to_string(DoubtKind kind);
 
 /// A place where the map may be wrong, and why.

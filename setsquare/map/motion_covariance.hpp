@@ -7,6 +7,10 @@
 
 namespace setsquare {
 
+/// How far a motion, or an open stretch, may be off at most (sigma): no building is larger. Stamps
+/// may jump by years.
+inline constexpr double kLargestOpenSigma_m = 1000.0;
+
 /// Covariance of a tracked motion: translation in the odom frame, rotation apart.
 struct MotionCovariance {
   Eigen::Matrix2d translation_m2 = Eigen::Matrix2d::Zero();  ///< In the odom frame.

@@ -206,9 +206,13 @@ void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
 void GrowingMap::close_while_growing() {
   if (!track_.session_begins.empty()) return;
   if (track_.size() < next_closing(num_closed_, params_)) return;
-  const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
-  close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
   num_closed_ = track_.size();
+  try {
+    const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
+    close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
+  } catch (const Error&) {
+    // Tracking goes on; MapMaker tries again, and tells where it cannot.
+  }
 }
 
 // --- Maps that are gone on with ------------------------------------------------------------------

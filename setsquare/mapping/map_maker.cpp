@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
@@ -128,6 +130,48 @@ std::size_t next_closing(std::size_t num_closed, const MapperParams& params) {
 }
 
 Map MapMaker::make() const {
+  try {
+    return closed_map();
+  } catch (const Error& error) {
+    return track_alone(error.what());
+  }
+}
+
+Map MapMaker::track_alone(const std::string& reason) const {
+  std::vector<double> headings_rad;
+  std::vector<std::size_t> sizes(log_.track.pieces.back() + 1, 0);
+  for (std::size_t k = 0; k < log_.track.size(); ++k) {
+    headings_rad.push_back(log_.track.keyframes[k]->T_odom_sensor.theta_rad);
+    ++sizes[log_.track.pieces[k]];
+  }
+  std::vector<bool> is_largest(sizes.size(), false);
+  is_largest[static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin())] = true;
+  Map map = assemble_map({.scans = log_.scans,
+                          .kept_scans = log_.kept_scans,
+                          .track = log_.track,
+                          .shares_of_place = log_.shares_of_place,
+                          .sessions = log_.sessions,
+                          .is_joined = is_largest,
+                          .graph = pose_graph_of(log_.track, headings_rad)});
+  log_.add_sensors(map);
+  constexpr double kUnknown = std::numeric_limits<double>::infinity();
+  for (MappedScan& scan : map.scans) {
+    scan.position_sigma_m = scan.heading_sigma_rad = kUnknown;
+    scan.position_covariance_m2 = Eigen::Vector2d::Constant(kUnknown).asDiagonal();
+  }
+  map.doubts.push_back(
+      {.kind = DoubtKind::kNotClosed,
+       .place_m = map.scans.front().T_map_base.translation(),
+       .first_scan = 0,
+       .num_scans = map.scans.size(),
+       .first_stamp = map.scans.front().stamp,
+       .last_stamp = map.scans.back().stamp,
+       .reason =
+           "loops could not be closed, the map is the track as it was driven (" + reason + ")"});
+  return map;
+}
+
+Map MapMaker::closed_map() const {
   Closed closed = log_.track.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
   Map map = map_of(closed);
   if (params_.anywhere.is_on) close_anywhere(closed, map);

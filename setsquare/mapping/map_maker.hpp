@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "setsquare/mapping/audit/audit.hpp"
@@ -66,6 +67,8 @@ class MapMaker {
  public:
   MapMaker(const TrackedLog& log, const MapperParams& params) : log_(log), params_(params) {}
 
+  /// Where the loops cannot be closed or the graph cannot be solved, for its figures are beyond
+  /// what can be computed, the track as it was driven, with that doubt: nothing tracked is lost.
   [[nodiscard]] Map make() const;
 
  private:
@@ -76,6 +79,9 @@ class MapMaker {
     JoinedPieces joined;
   };
 
+  [[nodiscard]] Map closed_map() const;
+  /// The map without any loop, its spreads unknown; `reason`: why.
+  [[nodiscard]] Map track_alone(const std::string& reason) const;
   /// Tracks of one piece: the loops that are left to close.
   [[nodiscard]] Closed close_one_piece() const;
   /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops again.

@@ -99,11 +99,11 @@ struct PieceJoiningParams {
   double joint_sigma_rad = rad_from_deg(1.5);  ///< ... and heading.
   double agreeing_m = 0.5;                     ///< ... on where the piece lies ...
   double agreeing_rad = rad_from_deg(3.0);     ///< ... and how it is turned.
-  /// Of another log nothing tells in which of two rooms that are alike it was. The places that
-  /// agree must lie so far apart ...
+  /// Of another log, or behind open stretches that may be off by more than this, nothing tells in
+  /// which of two rooms that are alike it was. The places that agree must lie so far apart ...
   double min_extent_m = 5.0;
-  /// ... and of the keyframes about them no larger share may see through the map's walls, or the
-  /// map through theirs.
+  /// ... and, of any piece, no larger share of the keyframes about them may see through the map's
+  /// walls, or the map through theirs.
   double max_seen_through = 0.3;
 
   /// Throws ParameterError that names the field.
@@ -181,6 +181,8 @@ struct AuditParams {
   /// Places that must ask for the same correction; and how many times more than agree.
   std::size_t min_seconded = 3;
   double min_majority = 2.0;  ///< See min_seconded.
+  /// Two places lie over each other where scans see through walls of others along this much way.
+  double min_crossed_m = 2.0;
   /// Times that loops are closed again by what contradicts the map, if that explains more.
   int max_mendings = 2;
 

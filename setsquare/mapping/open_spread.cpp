@@ -19,6 +19,9 @@ namespace {
 constexpr double kDirectionSigma_rad = rad_from_deg(1.0);
 /// The open directions of a straight corridor differ by less: sigma across over sigma along.
 constexpr double kMaxBend = 0.02;
+/// No direction is known better than this: a motion that may be off by far along one may be off
+/// across by its share. Else the graph, which has such shares as rounding, takes it as not bound.
+constexpr double kDirectionRounding = 1e-4;
 
 /// Ways less certain than this are looked at again, by the closures.
 constexpr double kLooseWay_m = 0.3;
@@ -40,23 +43,35 @@ std::size_t end_of_stretch(const KeyframeTrack& track, std::size_t first) {
   return end;
 }
 
+Eigen::Matrix2d with_rounded_direction(const Eigen::Matrix2d& covariance_m2) {
+  const SymmetricEigen<2> eigen = symmetric_eigen(covariance_m2);
+  const double least_m2 = kDirectionRounding * kDirectionRounding * eigen.values.y();
+  if (!(eigen.values.x() < least_m2)) return covariance_m2;
+  const Eigen::Vector2d across = eigen.vectors.col(0);
+  return covariance_m2 + (least_m2 - eigen.values.x()) * across * across.transpose();
+}
+
 /// Adds to the covariances of motions [first, end), of one stretch, what their open direction does.
 /// `open_m`: their sigmas in the map frame.
 void add_stretch(std::span<const Eigen::Matrix2d> open_m,
                  std::span<Eigen::Matrix2d> covariances_m2) {
   Eigen::Matrix2d whole_m = Eigen::Matrix2d::Zero();
   for (const Eigen::Matrix2d& sigma_m : open_m) whole_m += sigma_m;
+  const double share = std::min(1.0, kLargestOpenSigma_m / whole_m.trace());
+  whole_m *= share;
   const SymmetricEigen<2> eigen = symmetric_eigen(whole_m);
   const Eigen::Vector2d along = eigen.vectors.col(1);
   const bool is_straight = eigen.values.x() < kMaxBend * eigen.values.y();
   for (std::size_t k = 0; k < open_m.size(); ++k) {
-    const double sigma_m = open_m[k].trace();
+    const double sigma_m = share * open_m[k].trace();
     if (!(sigma_m > 0.0)) continue;
     if (is_straight) {
       covariances_m2[k] += sigma_m * eigen.values.y() * along * along.transpose();
     } else {
-      covariances_m2[k] += open_m[k] * (open_m[k].cwiseProduct(whole_m).sum() / sigma_m);
+      covariances_m2[k] +=
+          share * open_m[k] * (open_m[k].cwiseProduct(whole_m).sum() / open_m[k].trace());
     }
+    covariances_m2[k] = with_rounded_direction(covariances_m2[k]);
   }
 }
 

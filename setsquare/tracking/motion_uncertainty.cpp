@@ -13,6 +13,11 @@ namespace {
 /// Off by so much (sigma) a heading may be any, and the sensor anywhere on its circle.
 constexpr double kAnyTurn_rad = 2.0;
 
+/// A sum of sigma u u^T, made no larger than a building.
+Eigen::Matrix2d bounded(const Eigen::Matrix2d& open_sigma_m) {
+  return open_sigma_m * std::min(1.0, kLargestOpenSigma_m / open_sigma_m.trace());
+}
+
 }  // namespace
 
 void MotionUncertaintyParams::validate() const {
@@ -102,7 +107,8 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
       if (!has_last_) break;
       const Eigen::Vector2d& u = tracked.open.direction;
       // Errors of successive scans are correlated: sigmas add up, not variances.
-      open_m = std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m);
+      open_m = std::min(std::max(open_sigma_m(tracked, seconds), tracked.open_sigma_m),
+                        kLargestOpenSigma_m);
       (tracked.has_odometry ? open_sigma_by_odometry_m_ : open_sigma_m_) +=
           open_m * u * u.transpose();
       break;
@@ -138,6 +144,8 @@ MotionCovariance MotionUncertainty::take(double share_of_step) {
       params_.step_sigma_m + params_.sigma_per_metre * std::hypot(moved.x_m, moved.y_m);
   const double sigma_rad =
       params_.step_sigma_rad + params_.sigma_per_turn * std::abs(moved.theta_rad);
+  open_sigma_m_ = bounded(open_sigma_m_);
+  open_sigma_by_odometry_m_ = bounded(open_sigma_by_odometry_m_);
   const Eigen::Matrix2d open_m2 =
       open_sigma_m_ * open_sigma_m_ + open_sigma_by_odometry_m_ * open_sigma_by_odometry_m_;
   MotionCovariance covariance;

@@ -16,9 +16,9 @@ bool RepeatedScan::add(const Scan& scan, const std::optional<Pose2>& T_wheels_ba
                std::abs(moved.theta_rad) > kLeastTurn_rad;
   }
   T_wheels_base_ = T_wheels_base;
-  const bool is_same = scan.ranges_m == ranges_m_;
-  if (!is_same) ranges_m_ = scan.ranges_m;
-  return is_same && is_moved;
+  is_same_ = scan.ranges_m == ranges_m_;
+  if (!is_same_) ranges_m_ = scan.ranges_m;
+  return is_same_ && is_moved;
 }
 
 }  // namespace setsquare

@@ -19,7 +19,11 @@ class RepeatedScan {
   /// for every scan.
   [[nodiscard]] bool add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
 
+  /// Whether the last scan added was the one before again, whatever the wheels did.
+  [[nodiscard]] bool is_same() const { return is_same_; }
+
  private:
+  bool is_same_ = false;
   std::vector<double> ranges_m_;
   std::optional<Pose2> T_wheels_base_;
 };

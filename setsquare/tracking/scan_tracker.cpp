@@ -44,6 +44,9 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   const std::optional<Pose2> T_believed_base = odometry_.believed(T_wheels_base, scan.stamp);
   Expectation expected = expectation_of(arrived, T_believed_base, is_gap);
   if (repeated_.add(scan, T_believed_base)) expected.situation = Situation::kSeesNothingNew;
+  // The same scan is of the same place, unless the wheels tell otherwise.
+  const bool is_same_again = !T_believed_base && repeated_.is_same() && last_.is_tracked;
+  if (is_same_again) expected.T_odom_sensor = last_sensor(scan);
   TrackedPose tracked = place(arrived, expected);
   if (expected.has_odometry && is_poor(tracked) && is_evidence(expected.situation)) {
     tracked = place_without_odometry(arrived, is_gap, is_at_rest, tracked, expected);
@@ -62,9 +65,11 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
   sweep_motion_ = arrived.motion();
   deskewed_scan_ = arrived.take_deskewed();
-  motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
-  if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
-  add_step(tracked, situation);
+  if (!is_same_again) {
+    motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
+    if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
+    add_step(tracked, situation);
+  }
   compare_gyro(scan, tracked);
   compare_odometry(scan, tracked, situation, T_wheels_base);
   ++num_scans_;
@@ -144,10 +149,6 @@ void ScanTracker::compare_odometry(const Scan& scan,
                  .is_certain = is_certain});
 }
 
-bool ScanTracker::is_evidence(Situation situation) {
-  return situation != Situation::kSeesTooLittle && situation != Situation::kSeesNothingNew;
-}
-
 std::optional<MountingSighting> ScanTracker::sight(const Scan& scan,
                                                    const std::optional<Pose2>& T_wheels_base) {
   ArrivedScan arrived(scan, params_);
@@ -195,12 +196,6 @@ void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
                   wrap_to_pi(now.T_odom_body.theta_rad - last_.T_odom_body.theta_rad));
   }
   last_ = now;
-}
-
-std::optional<Pose2> ScanTracker::body_by_wheels(
-    const std::optional<Pose2>& T_believed_base) const {
-  if (!T_believed_base) return std::nullopt;
-  return *T_believed_base * T_base_body_;
 }
 
 ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is_behind_gap) const {

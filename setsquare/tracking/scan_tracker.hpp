@@ -101,12 +101,17 @@ class ScanTracker {
   };
 
   /// Whether a scan speaks for or against the submap.
-  [[nodiscard]] static bool is_evidence(Situation situation);
+  [[nodiscard]] static bool is_evidence(Situation situation) {
+    return situation != Situation::kSeesTooLittle && situation != Situation::kSeesNothingNew;
+  }
 
   [[nodiscard]] Pose2 expected_body(const Scan& scan,
                                     const std::optional<Pose2>& T_believed_base) const;
   [[nodiscard]] std::optional<Pose2> body_by_wheels(
-      const std::optional<Pose2>& T_believed_base) const;
+      const std::optional<Pose2>& T_believed_base) const {
+    if (!T_believed_base) return std::nullopt;
+    return *T_believed_base * T_base_body_;
+  }
   [[nodiscard]] Expectation expectation_of(const ArrivedScan& scan,
                                            const std::optional<Pose2>& T_believed_base,
                                            bool is_gap) const;

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Core>
+#include <limits>
 #include <utility>
 
 #include "tests/mapping/tracked_world.hpp"
@@ -103,6 +105,30 @@ TEST(GrowingMap, StepsThatBeginAgainLeaveTheMapThatIsGoneOnWith) {
   expect_same(map, direct.make(with_odometry(5)));
   EXPECT_EQ(map.num_with_odometry, 12U);
   EXPECT_EQ(map.sessions.size(), 2U);
+}
+
+// A spread beyond what can be computed: nothing that was tracked may be lost.
+TEST(GrowingMap, ATrackThatCannotBeSolvedIsTheMapInDoubt) {
+  GrowingMap growing{MapperParams{}};
+  growing.add(steps_of(scans_on(way_around_the_block())));
+  Map broken = growing.make({});
+  ASSERT_GT(broken.track.motions.size(), 20U);
+  broken.track.motions[20].covariance.translation_m2 = Eigen::Vector2d(1e14, 1e-4).asDiagonal();
+  GrowingMap again{MapperParams{}};
+  again.add(broken);
+  const Map map = again.make({});
+  ASSERT_EQ(map.doubts.size(), 1U);
+  EXPECT_EQ(map.doubts[0].kind, DoubtKind::kNotClosed);
+  EXPECT_EQ(map.doubts[0].num_scans, map.scans.size());
+  ASSERT_EQ(map.scans.size(), broken.scans.size());
+  EXPECT_TRUE(map.closures.empty());
+  for (std::size_t i = 0; i < map.scans.size(); ++i) {
+    EXPECT_TRUE(map.scans[i].is_placed);
+    EXPECT_EQ(map.scans[i].position_sigma_m, std::numeric_limits<double>::infinity());
+    const Pose2 moved = map.scans.front().T_map_sensor.inverse() * map.scans[i].T_map_sensor;
+    const Pose2 tracked = map.track.T_odom_sensor.front().inverse() * map.track.T_odom_sensor[i];
+    EXPECT_NEAR((moved.translation() - tracked.translation()).norm(), 0.0, 1e-6) << i;
+  }
 }
 
 }  // namespace setsquare::growing_map_test

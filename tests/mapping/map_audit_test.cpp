@@ -100,6 +100,36 @@ TEST(MapAudit, TheTrueTrajectoryIsNotDoubted) {
   }
 }
 
+bool has_crossed_walls(const Map& map) {
+  return std::ranges::any_of(
+      map.doubts, [](const MapDoubt& doubt) { return doubt.kind == DoubtKind::kCrossedWalls; });
+}
+
+/// Two floors joined by a lift: each is right, and no match need contradict the map.
+TEST(MapAudit, TwoFloorsOverEachOtherAreTold) {
+  for (const std::uint64_t seed : {2014U, 2015U, 2016U}) {
+    DrivenBuilding floors = driven(BuildingClass::kOffice, seed);
+    const DrivenBuilding above = driven(BuildingClass::kOffice, seed + 10);
+    const std::size_t num_below = floors.scans.size();
+    const std::int64_t later_ns = floors.scans.back().stamp.ns + 1'000'000'000;
+    for (Scan scan : above.scans) {
+      scan.stamp.ns += later_ns;
+      floors.scans.push_back(scan);
+    }
+    const Pose2 T_map_above =
+        floors.T_map_sensor[num_below / 2] * above.T_map_sensor[above.scans.size() / 2].inverse();
+    for (const Pose2& pose : above.T_map_sensor) floors.T_map_sensor.push_back(T_map_above * pose);
+    const Map map = audited(floors, floors.T_map_sensor);
+    EXPECT_TRUE(has_crossed_walls(map));
+    for (const MapDoubt& doubt : map.doubts) {
+      EXPECT_TRUE(doubt.kind != DoubtKind::kCrossedWalls || doubt.first_scan >= num_below);
+    }
+    AuditParams without_the_rule;
+    without_the_rule.min_crossed_m = 1e9;
+    EXPECT_FALSE(has_crossed_walls(audited(floors, floors.T_map_sensor, without_the_rule)));
+  }
+}
+
 TEST(MapAudit, ABentTrajectoryIsDoubtedBehindTheBend) {
   for (const BuildingClass building_class : kClasses) {
     const DrivenBuilding drive = driven(building_class, 2012);
@@ -111,7 +141,8 @@ TEST(MapAudit, ABentTrajectoryIsDoubtedBehindTheBend) {
       const Map map = audited(drive, bent_at(drive.T_map_sensor, bend, T_scan_bent));
       ASSERT_FALSE(map.doubts.empty());
       for (const MapDoubt& doubt : map.doubts) {
-        EXPECT_EQ(doubt.kind, DoubtKind::kContradictingPairs);
+        EXPECT_TRUE(doubt.kind == DoubtKind::kContradictingPairs ||
+                    doubt.kind == DoubtKind::kCrossedWalls);
         EXPECT_GE(doubt.first_scan, bend) << doubt.reason;
         const std::size_t last = doubt.first_scan + doubt.num_scans - 1;
         ASSERT_LT(last, map.scans.size());
@@ -129,6 +160,10 @@ TEST(MapAudit, WithoutSecondsNothingIsDoubted) {
       bent_at(drive.T_map_sensor, drive.scans.size() / 2, {0.0, 0.0, rad_from_deg(12.0)});
   AuditParams params;
   params.min_seconded = 1000;
+  for (const MapDoubt& doubt : audited(drive, bent, params).doubts) {
+    EXPECT_EQ(doubt.kind, DoubtKind::kCrossedWalls);
+  }
+  params.min_crossed_m = 1e9;
   EXPECT_TRUE(audited(drive, bent, params).doubts.empty());
 }
 

@@ -8,8 +8,10 @@
 #include <cmath>
 #include <Eigen/LU>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/matching/information.hpp"
+#include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/open_direction.hpp"
 #include "tests/support/seed.hpp"
 
@@ -103,6 +105,32 @@ TEST(OpenSpread, ABentCorridorIsOpenAlongItself) {
     const Eigen::Vector2d across(-std::sin(turn_rad[k]), std::cos(turn_rad[k]));
     EXPECT_NEAR(std::sqrt(across.dot(covariances_m2[k] * across)), kUsualSigma_m, 1e-6) << k;
   }
+}
+
+// A clock that jumps by decades while the walls leave a direction open.
+TEST(OpenSpread, NoMotionIsLargerThanABuilding) {
+  KeyframeTrack track = corridor(50, 0.01);
+  MotionUncertainty uncertainty{MotionUncertaintyParams{}};
+  TrackedPose tracked{.status = TrackStatus::kDegenerate, .T_odom_sensor = {}, .open = {}};
+  tracked.open = {.direction = {1.0, 0.0}, .effective_points = 0.0};
+  tracked.open_bound_share = 0.0;
+  (void)uncertainty.add(tracked, {0, Timestamp{}});
+  (void)uncertainty.take();
+  constexpr std::int64_t kSixtyYears_ns = 60LL * 365 * 86400 * 1'000'000'000;
+  (void)uncertainty.add(tracked, {0, Timestamp{kSixtyYears_ns}});
+  track.motions[25] = uncertainty.take();
+  ASSERT_GT(track.motions[25].open_sigma_m(0, 0), 100.0);
+  EXPECT_LT(std::sqrt(sum_of(track).trace()), 1.01 * kLargestOpenSigma_m);
+  const std::vector<double> headings_rad(track.size(), 0.0);
+  EXPECT_NEAR(solve_positions(pose_graph_of(track, headings_rad)).back().x(), 50 * kStep_m, 1e-6);
+  // Bounds that are missing: the graph holds the node along one axis only.
+  track.motions[25].open_sigma_m *= 1e6;
+  track.motions[25].translation_m2 +=
+      track.motions[25].open_sigma_m * track.motions[25].open_sigma_m;
+  PoseGraph unbounded = pose_graph_of(track, headings_rad);
+  unbounded.constraints[24].information.topLeftCorner<2, 2>() =
+      track.motions[25].translation_m2.inverse();
+  EXPECT_THROW((void)solve_positions(unbounded), ParameterError);
 }
 
 /// Closures between neighbours but five, as a bare corridor gives them: right across but for 4 mm,

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "setsquare/core/error.hpp"
@@ -49,8 +50,10 @@ PiecedTrack lay_out(const std::vector<Piece>& pieces) {
   return all;
 }
 
-JoinedPieces join(const PiecedTrack& pieced, std::size_t num_threads = 1) {
-  return join_pieces(pieced.track, pieced.T_map_sensor, {}, {}, num_threads);
+JoinedPieces join(const PiecedTrack& pieced,
+                  std::size_t num_threads = 1,
+                  const PieceJoiningParams& params = {}) {
+  return join_pieces(pieced.track, pieced.T_map_sensor, {}, params, num_threads);
 }
 
 std::vector<Pose2> round_the_room() { return spaced(drive(testing::way_around_the_room())); }
@@ -114,6 +117,36 @@ TEST(PieceJoining, OfTwoRoomsThatAreAlikeItTakesNeither) {
   const JoinedPieces joined = join(pieced);
   EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, false}));
   EXPECT_TRUE(joined.joints.empty());
+}
+
+// The robot left the room along a bare corridor, and nobody knows how far: what is seen behind may
+// be the room again or one like it.
+TEST(PieceJoining, ARoomBehindAnOpenStretchIsNotTakenForOneLikeIt) {
+  PiecedTrack pieced =
+      lay_out({{testing::l_shaped_room(), round_the_room(), {}, {}},
+               {testing::l_shaped_room(), across_the_room(), {}, {9.0, 3.0, 1.0}}});
+  const PieceJoiningParams larger_than_the_room{.min_extent_m = 12.0};
+  EXPECT_TRUE(join(pieced, 1, larger_than_the_room).is_joined[1]) << "no open stretch";
+  pieced.track.motions[round_the_room().size()].open_sigma_m(0, 0) = 20.0;
+  EXPECT_FALSE(join(pieced, 1, larger_than_the_room).is_joined[1]);
+  EXPECT_TRUE(join(pieced, 1, {.min_extent_m = 0.0}).is_joined[1]) << "without the rule";
+}
+
+// A room like one of the map leads to a passage that the map's room has no space for.
+TEST(PieceJoining, APieceIsNotJoinedWhereItSeesThroughTheMap) {
+  const std::vector<Wall> passage{
+      {1.0, 1.4, 5.0, 1.4}, {5.0, 1.4, 5.0, 2.6}, {5.0, 2.6, 1.0, 2.6}, {1.0, 2.6, 1.0, 1.4}};
+  const std::vector<Pose2> up_and_down =
+      spaced(drive({{1.5, 2.0}, {4.5, 2.0}, {1.5, 2.0}, {4.5, 2.0}}));
+  std::vector<Pose2> twice_round = round_the_room();
+  for (const Pose2& pose : round_the_room()) twice_round.push_back(pose);
+  const Pose2 T_lost{9.0, 3.0, 1.0};
+  PiecedTrack pieced = lay_out({{testing::l_shaped_room(), twice_round, {}, {}},
+                                {testing::l_shaped_room(), across_the_room(), {}, T_lost},
+                                {passage, up_and_down, {}, T_lost}});
+  for (std::size_t& piece : pieced.track.pieces) piece = std::min<std::size_t>(piece, 1);
+  EXPECT_FALSE(join(pieced).is_joined[1]);
+  EXPECT_TRUE(join(pieced, 1, {.max_seen_through = 1.0}).is_joined[1]) << "without the rule";
 }
 
 /// The room and, 40 m off, its mirror image.

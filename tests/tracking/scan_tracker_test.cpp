@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
@@ -65,6 +67,32 @@ INSTANTIATE_TEST_SUITE_P(Fans,
                                            Fan{.num_beams = 1081,
                                                .first_bearing_rad = rad_from_deg(-135.0),
                                                .bearing_step_rad = rad_from_deg(0.25)}));
+
+/// How far apart the copies of a scan are placed that is sent five times along a bare corridor, to
+/// a robot that drove on evenly, by odometry, which ends; with ranges that differ in their last
+/// digits where not `is_exact`.
+double farthest_copy_m(bool is_exact) {
+  const std::vector<Pose2> truth = drive({{0.0, 0.1}, {8.0, 0.1}});
+  const std::vector<Scan> scans = scans_on_drive(bare_corridor(), truth, kNoise_m);
+  constexpr std::size_t kNumDriven = 20;
+  ScanTracker tracker;
+  for (std::size_t i = 0; i < kNumDriven; ++i) {
+    (void)tracker.track(scans[i], between(truth[0], truth[i]));
+  }
+  std::vector<TrackedPose> copies;
+  for (int copy = 0; copy < 5; ++copy) {
+    Scan scan = scans[kNumDriven];
+    if (!is_exact) scan.ranges_m.front() += 1e-9 * copy;
+    copies.push_back(tracker.track(scan, std::nullopt));
+  }
+  return between(copies.front().T_odom_sensor, copies.back().T_odom_sensor).translation().norm();
+}
+
+// A driver sends what it has sent before: that is the same place again.
+TEST(ScanTracker, TheSameScanIsOfTheSamePlace) {
+  EXPECT_LT(farthest_copy_m(true), 0.02);
+  EXPECT_GT(farthest_copy_m(false), 0.1) << "without the rule";
+}
 
 TEST(ScanTracker, KeepsKeyframesAtTheirSpacing) {
   const std::vector<Pose2> truth = drive({{1.0, 1.0}, {5.0, 1.0}});

@@ -3,17 +3,19 @@
 """The judge of benchmarks/trial_ground: bent, squashed and mirrored maps are wrong and silent, those
 that say so are not; and what the faults do to a log."""
 import dataclasses
+import json
 import math
 import pathlib
 import random
 import sys
+import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks"))
 
 from trial import faults  # noqa: E402 (after the path is set)
 from trial.judge import MappedPose, judge  # noqa: E402
-from trial.outputs import _largest_sigma, _mapped_pose  # noqa: E402
+from trial.outputs import _largest_sigma, _mapped_pose, mapped_poses  # noqa: E402
 
 # 30 m along x, then 10 m along y, a pose every 0.1 m.
 TRUTH = ([(0.1 * k, 0.0, 0.0) for k in range(300)] +
@@ -64,6 +66,12 @@ class Judge(unittest.TestCase):
         self.assertFalse(verdict.is_wrong_and_silent)
         self.assertGreater(verdict.num_wrong, 50)
         self.assertEqual(verdict.doubts, ("few_beams",))
+
+    def test_what_is_doubted_does_not_turn_what_is_not(self):
+        verdict = judge(TRUTH, bent_map(60.0, doubts=("contradicting pairs",)))
+        self.assertLess(max(verdict.errors_deg[:300]), 1e-6)
+        self.assertEqual((verdict.num_silent, verdict.num_wrong), (0, 100))
+        self.assertGreater(min(judge(TRUTH, bent_map(60.0)).errors_deg[:300]), 1.0)
 
     def test_a_doubt_elsewhere_does_not(self):
         mapped = bent_map()
@@ -163,6 +171,20 @@ class Faults(unittest.TestCase):
 
 
 class Outputs(unittest.TestCase):
+    def test_doubts_of_the_map_count_where_they_are(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder)
+            doubts = [{"kind": "crossed walls", "first_scan": 1, "num_scans": 2},
+                      {"kind": "unknown length", "first_scan": 0, "num_scans": 4}]
+            (path / "run.json").write_text(json.dumps(
+                {"findings": [], "open_stretches": [], "doubts": doubts}))
+            rows = ["\t".join(("stamp", *self.ROW))]
+            rows += ["\t".join((str(k), *self.ROW.values())) for k in range(4)]
+            (path / "poses.tsv").write_text("\n".join(rows) + "\n")
+            mapped, _ = mapped_poses(path)
+        self.assertEqual([pose.doubts for pose in mapped.values()],
+                         [(), ("crossed walls",), ("crossed walls",), ()])
+
     ROW = {"x_m": "1", "y_m": "2", "heading_deg": "90", "sigma_x_m": "0.3", "sigma_y_m": "0.4",
            "correlation_xy": "0", "sigma_heading_deg": "7", "placed": "1", "doubts": "heading_open"}
 

@@ -30,6 +30,18 @@ AuditReport report_of(std::size_t num_pairs,
   return report;
 }
 
+std::vector<CrossedWalls> crossed_in(const AuditedTrack& track,
+                                     std::span<const ScanSurfacesPtr> surfaces,
+                                     const AuditParams& params,
+                                     std::size_t num_threads) {
+  std::vector<ScanSurfacesPtr> of_track;
+  of_track.reserve(track.size());
+  for (const std::size_t keyframe : track.keyframes) of_track.push_back(surfaces[keyframe]);
+  return crossed_walls(seen_through(of_track, track.T_map_sensor, track.way_m, num_threads),
+                       track.way_m,
+                       params.min_crossed_m);
+}
+
 }  // namespace
 
 void AuditParams::validate() const {
@@ -50,6 +62,7 @@ void AuditParams::validate() const {
   require_positive(alike_rad, "audit.alike_rad");
   require_at_least_one(min_seconded, "audit.min_seconded");
   require_positive(min_majority, "audit.min_majority");
+  require_positive(min_crossed_m, "audit.min_crossed_m");
   if (max_mendings < 0) throw ParameterError("audit.max_mendings", "must not be negative");
 }
 
@@ -93,6 +106,7 @@ AuditFindings audit(const Map& map,
   findings.matches = matched.matches();
   findings.groups = contradiction_groups(findings.matches, track, params);
   findings.report = report_of(matched.num_tried(), findings.matches.size(), findings.groups);
+  findings.crossed = crossed_in(track, surfaces, params, num_threads);
   return findings;
 }
 

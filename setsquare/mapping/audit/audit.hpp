@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/mapping/audit/contradictions.hpp"
+#include "setsquare/mapping/audit/seen_through.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 
 namespace setsquare {
@@ -34,6 +35,7 @@ struct AuditFindings {
   AuditedTrack track;
   std::vector<AuditMatch> matches;
   std::vector<ContradictionGroup> groups;  ///< Of the matches; the greatest first.
+  std::vector<CrossedWalls> crossed;       ///< Of the track's keyframes.
 
   /// One for each match of the groups that raise a doubt, but for those that may be of twins.
   [[nodiscard]] std::vector<MapHypothesis> hypotheses() const;
@@ -46,6 +48,8 @@ struct AuditFindings {
 /// 2. Match each as if nothing were known of the two scans.
 /// 3. Where a match contradicts the map, match more pairs about it.
 /// 4. Group what contradicts alike, and weigh it against what agrees (contradiction_groups).
+/// 5. Where passes lie over each other, look through the walls of each (crossed_walls): two places
+///    that the map took for one need not match anywhere.
 /// `surfaces`: one per keyframe of the map. Any number of threads gives the same findings. Throws
 /// ParameterError.
 [[nodiscard]] AuditFindings audit(const Map& map,

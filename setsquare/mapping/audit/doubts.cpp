@@ -111,6 +111,34 @@ std::vector<ContradictedParts> contradicted_parts(const Map& map, const AuditFin
   return all;
 }
 
+/// The piece of track that a scan is of, from 0.
+std::size_t piece_of(const Map& map, std::size_t scan) {
+  std::size_t piece = 0;
+  while (piece + 1 < map.pieces.size() && map.pieces[piece + 1].first_scan <= scan) ++piece;
+  return piece;
+}
+
+/// What is in doubt where scans of `parts.to` match those of `parts.from` otherwise than the map
+/// has them. What follows hangs on them, up to where a match that agrees ties the track to what was
+/// before; and where the one part is of a piece that was joined to the other's, it is that joint,
+/// and the piece lies wrong from its begin.
+ScanRange doubted_scans(const Map& map,
+                        const AuditFindings& findings,
+                        const ContradictedParts& parts,
+                        const AuditParams& params) {
+  const auto scan_of = [&](std::size_t k) { return map.keyframes[findings.track.keyframes[k]]; };
+  ScanRange doubted{parts.to.first, map.scans.size() - 1};
+  const std::size_t piece = piece_of(map, parts.to.first);
+  if (piece_of(map, parts.from.last) != piece) doubted.first = map.pieces[piece].first_scan;
+  for (const AuditMatch& match : findings.matches) {
+    const std::size_t tied = scan_of(match.pair.to);
+    if (tied <= parts.to.last || scan_of(match.pair.from) > parts.from.last) continue;
+    const AuditOffset offset = audit_offset(match, findings.track, params);
+    if (!offset.contradicts_map) doubted.last = std::min(doubted.last, tied - 1);
+  }
+  return doubted;
+}
+
 void add_contradictions(const Map& map,
                         const AuditFindings& findings,
                         const AuditParams& params,
@@ -122,7 +150,7 @@ void add_contradictions(const Map& map,
     doubts.push_back(doubt_at(
         map,
         DoubtKind::kContradictingPairs,
-        parts.to,
+        doubted_scans(map, findings, parts, params),
         map.scans[scan].T_map_base.translation(),
         fmt::format(
             "{} match {} {:.2f} m and {:.1f} deg off where the map has them: {} independent "
@@ -270,6 +298,28 @@ void add_unjoined(const Map& map, std::vector<MapDoubt>& doubts) {
   }
 }
 
+/// Two places that were taken for one: floors, twins, rooms behind a slip.
+void add_crossed_walls(const Map& map,
+                       const AuditFindings& findings,
+                       std::vector<MapDoubt>& doubts) {
+  const auto scan_of = [&](std::size_t k) { return map.keyframes[findings.track.keyframes[k]]; };
+  for (const CrossedWalls& crossed : findings.crossed) {
+    const ScanRange range{scan_of(crossed.first), scan_of(crossed.last)};
+    const ScanRange by{scan_of(crossed.first_by), scan_of(crossed.last_by)};
+    doubts.push_back(doubt_at(
+        map,
+        DoubtKind::kCrossedWalls,
+        range,
+        middle_of(map, range),
+        fmt::format(
+            "{} see walls along {:.1f} m of the way that {} saw through: two places may lie "
+            "over each other",
+            text_of(range),
+            findings.track.way_m[crossed.last] - findings.track.way_m[crossed.first],
+            text_of(by))));
+  }
+}
+
 /// Whether two closures are between the same two parts of the track.
 bool are_of_same_parts(const MappedClosure& a, const MappedClosure& b, const Map& map) {
   const auto near = [&](std::size_t scan, std::size_t other) {
@@ -334,6 +384,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
   add_mirrored(map, doubts);
   add_contradictions(map, findings, params, doubts);
   add_outvoted_closures(map, doubts);
+  add_crossed_walls(map, findings, doubts);
   add_unknown_lengths(map, findings, params, doubts);
   add_undecided_turns(map, doubts);
   add_unjoined(map, doubts);

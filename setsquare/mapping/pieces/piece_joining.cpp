@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -172,7 +173,9 @@ class PieceJoiner {
         std::erase_if(across, [&](const Proposal& proposal) { return !is_as_tracked(proposal); });
       }
       const auto agreed = agreed_alone(across, &weight_in, params_.min_votes_across_break);
-      if (!agreed.empty()) merge(sought, known, agreed);
+      if (agreed.empty()) continue;
+      const JoiningClaim claim = claim_of(agreed, sought, known);
+      if (!sees_through_map(claim, track_, T_map_sensor_, params_)) merge(sought, known, agreed);
     }
   }
 
@@ -189,9 +192,11 @@ class PieceJoiner {
                                                       is_of_another ? &places_seen_in : &places_in,
                                                       static_cast<double>(params_.min_agreeing));
     if (agreed.empty()) return false;
-    if (is_of_another &&
-        (2.0 * places_seen_in(agreed) < places_in(agreed) ||
-         may_be_twin(claim_of(agreed, group, main), track_, T_map_sensor_, params_))) {
+    if (is_of_another && 2.0 * places_seen_in(agreed) < places_in(agreed)) return false;
+    const JoiningClaim claim = claim_of(agreed, group, main);
+    const bool may_be_anywhere = is_of_another || open_way_m(agreed) > params_.min_extent_m;
+    if (may_be_anywhere ? may_be_twin(claim, track_, T_map_sensor_, params_)
+                        : sees_through_map(claim, track_, T_map_sensor_, params_)) {
       return false;
     }
     merge(group, main, agreed);
@@ -214,6 +219,19 @@ class PieceJoiner {
       if (group_of(k) == group && sessions.contains(session_of(k))) return false;
     }
     return true;
+  }
+
+  /// How far the way between the places of a joint may be off, by the open stretches in between
+  /// (sigma); of the joints the least.
+  [[nodiscard]] double open_way_m(const std::vector<Proposal>& joints) const {
+    double least_m = std::numeric_limits<double>::infinity();
+    for (const Proposal& joint : joints) {
+      const auto [from, to] = std::minmax(joint.known, joint.sought);
+      double sum_m = 0.0;
+      for (std::size_t k = from + 1; k <= to; ++k) sum_m += track_.motions[k].open_sigma_m.trace();
+      least_m = std::min(least_m, sum_m);
+    }
+    return least_m;
   }
 
   /// The agreement as may_be_twin() asks for it.

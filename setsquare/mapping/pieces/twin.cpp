@@ -77,7 +77,14 @@ bool may_be_twin(const JoiningClaim& claim,
                  const KeyframeTrack& track,
                  std::span<const Pose2> T_map_sensor,
                  const PieceJoiningParams& params) {
-  if (extent_m(claim.places, T_map_sensor) < params.min_extent_m) return true;
+  return extent_m(claim.places, T_map_sensor) < params.min_extent_m ||
+         sees_through_map(claim, track, T_map_sensor, params);
+}
+
+bool sees_through_map(const JoiningClaim& claim,
+                      const KeyframeTrack& track,
+                      std::span<const Pose2> T_map_sensor,
+                      const PieceJoiningParams& params) {
   PositionHash known(kSameView_m);
   for (std::size_t k = 0; k < track.size(); ++k) {
     if (claim.known[k]) known.add(T_map_sensor[k].translation(), k);

@@ -30,4 +30,10 @@ struct JoiningClaim {
                                std::span<const Pose2> T_map_sensor,
                                const PieceJoiningParams& params);
 
+/// The second of these alone: a piece that is joined so lies in the walls of the map.
+[[nodiscard]] bool sees_through_map(const JoiningClaim& claim,
+                                    const KeyframeTrack& track,
+                                    std::span<const Pose2> T_map_sensor,
+                                    const PieceJoiningParams& params);
+
 }  // namespace setsquare
