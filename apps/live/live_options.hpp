@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "apps/live/ros2_node.hpp"
 #include "setsquare/foxglove/server.hpp"
@@ -23,6 +24,9 @@ struct LiveOptions {
   bool is_shown = false;           ///< To Foxglove.
   foxglove::ServerOptions server;  ///< Where, then.
   std::string output_path;         ///< Empty: nothing is written.
+  std::string known_map;           ///< To localise in; empty: a map is made.
+  std::string continued_map;       ///< To go on with; empty: none.
+  std::vector<double> start;       ///< Where in the known map: x and y in m, heading in deg.
   std::string state_path;          ///< Empty: a kill loses all.
   double state_period_s = Journal::kPeriod_s;
   std::string params_path;  ///< Empty: none.
