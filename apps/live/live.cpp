@@ -132,6 +132,7 @@ void add_ros2_options(CLI::App& live, const std::shared_ptr<LiveOptions>& option
   add_domain_options(live, ros2.domain, ros2.is_local);
   live.get_option("--network")->each([options](const std::string&) {
     options->server.address = "0.0.0.0";
+    options->view.address = "0.0.0.0";
   });
 }
 
@@ -155,6 +156,14 @@ void add_live(CLI::App& application) {
       ->check(app::whole_number(0, 65535))
       ->type_name("PORT")
       ->capture_default_str();
+  live->add_option(
+          "--view",
+          options->view.port,
+          "Show map, scan and pose to browsers of this machine, at http://127.0.0.1:8765 or "
+          "another port; 0: one that is free. Buttons save the map and set a pose")
+      ->expected(0, 1)
+      ->check(app::whole_number(0, 65535))
+      ->type_name("PORT");
   live->add_option("--speed", options->speed, "Of --replay, in times the robot's; 0: no waiting")
       ->check(app::number_from(0.0, 1e6))
       ->type_name("X")
@@ -215,11 +224,16 @@ void add_live(CLI::App& application) {
       "  setsquare live --ros2 -o out\n"
       "  setsquare live --ros2 --state kept -o out\n"
       "  setsquare live --ros2 --scan-topic /front/scan --slam-toolbox-names -o out\n"
+      "  setsquare live --ros2 --view -o out\n"
       "  setsquare live --ros2 --localize out                 (in place of AMCL)\n"
       "  setsquare live --ros2 --continue monday -o both\n"
       "  setsquare live --from ws://127.0.0.1:8765 -o out\n"
       "  setsquare live --replay intel.clf --speed 10 --foxglove -o out");
   live->callback([live, options] {
+    const CLI::Option* view = live->get_option("--view");
+    options->is_viewed = view->count() > 0;
+    options->has_view_port =
+        options->is_viewed && !view->results().empty() && !view->results().front().empty();
     if (!options->params_path.empty()) apply_params_file(*live, options->params_path);
     if (!options->is_ros2 && options->replayed_log.empty() && options->bridge.empty()) {
       throw CLI::RequiredError("--ros2, --from ADDRESS or --replay LOG");

@@ -10,6 +10,7 @@
 #include "setsquare/live/journal.hpp"
 #include "setsquare/live/live_mapper.hpp"
 #include "setsquare/pipeline/map_log.hpp"
+#include "setsquare/view/server.hpp"
 
 namespace setsquare::live_app {
 
@@ -22,6 +23,9 @@ struct LiveOptions {
 
   Ros2Options ros2;                ///< Topics and frames, whoever carries them.
   bool is_shown = false;           ///< To Foxglove.
+  bool is_viewed = false;          ///< In a browser.
+  view::ServerOptions view;        ///< Where, then.
+  bool has_view_port = false;      ///< Whether somebody chose it.
   foxglove::ServerOptions server;  ///< Where, then.
   std::string output_path;         ///< Empty: nothing is written.
   std::string known_map;           ///< To localise in; empty: a map is made.

@@ -53,6 +53,7 @@ LiveRun::LiveRun(const LiveOptions& options, StopSignal& stop) : options_(option
               << std::endl;
   }
   make_session();
+  if (options_.is_viewed) make_view();
   if (is_live_ && session_->last_map()) show_map(session_->last_map());
   if (!options_.is_ros2) return;
   node_ = std::make_unique<Ros2Node>(options_.ros2, *queue_);
@@ -176,6 +177,20 @@ void LiveRun::make_session() {
   session_ = mapping_.get();
 }
 
+void LiveRun::make_view() {
+  if (!options_.has_view_port && options_.is_shown && options_.view.port == options_.server.port) {
+    ++options_.view.port;  // Foxglove has it.
+  }
+  const bool can_save = mapping_ && !options_.output_path.empty();
+  view_ = std::make_unique<ViewOutput>(
+      options_.view, *session_, can_save, [this](const std::string& name) {
+        return save_now(name);
+      });
+  outputs_.push_back(view_.get());
+  std::cout << fmt::format("shown at http://{}:{}", options_.view.address, view_->port())
+            << std::endl;
+}
+
 LiveWatcher LiveRun::watcher() {
   return {
       .on_pose = [this](const LogRecord& record, const LivePose& pose) { show_pose(record, pose); },
@@ -221,6 +236,7 @@ void LiveRun::end_shows() {
   }
   bridge_.reset();
   node_.reset();
+  view_.reset();
 }
 
 // --- What was found ------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #include "apps/live/live_output.hpp"
 #include "apps/live/ros2_node.hpp"
 #include "apps/live/stop_signal.hpp"
+#include "apps/live/view_output.hpp"
 #include "setsquare/foxglove/client.hpp"
 #include "setsquare/foxglove/server.hpp"
 #include "setsquare/live/journal.hpp"
@@ -49,6 +50,7 @@ class LiveRun {
   void open_network();
   void make_session();
   [[nodiscard]] LiveWatcher watcher();
+  void make_view();
   /// On the session's thread, when all has been read that was kept: from now on messages come.
   void begin_live();
   [[nodiscard]] foxglove::Client::Calls bridge_calls();
@@ -87,7 +89,8 @@ class LiveRun {
   std::unique_ptr<MappingSession> mapping_;  ///< One of these two ...
   std::unique_ptr<LocalizingSession> localising_;
   LiveSession* session_ = nullptr;            ///< ... which is this.
-  std::unique_ptr<Ros2Node> node_;            ///< Its threads use the session.
+  std::unique_ptr<ViewOutput> view_;          ///< Its threads use the session.
+  std::unique_ptr<Ros2Node> node_;            ///< Likewise.
   std::unique_ptr<foxglove::Client> bridge_;  ///< Its thread uses the queue.
 };
 
