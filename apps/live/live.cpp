@@ -230,10 +230,7 @@ void add_live(CLI::App& application) {
       "  setsquare live --from ws://127.0.0.1:8765 -o out\n"
       "  setsquare live --replay intel.clf --speed 10 --foxglove -o out");
   live->callback([live, options] {
-    const CLI::Option* view = live->get_option("--view");
-    options->is_viewed = view->count() > 0;
-    options->has_view_port =
-        options->is_viewed && !view->results().empty() && !view->results().front().empty();
+    options->is_viewed = live->get_option("--view")->count() > 0;
     if (!options->params_path.empty()) apply_params_file(*live, options->params_path);
     if (!options->is_ros2 && options->replayed_log.empty() && options->bridge.empty()) {
       throw CLI::RequiredError("--ros2, --from ADDRESS or --replay LOG");

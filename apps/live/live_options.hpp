@@ -25,7 +25,6 @@ struct LiveOptions {
   bool is_shown = false;           ///< To Foxglove.
   bool is_viewed = false;          ///< In a browser.
   view::ServerOptions view;        ///< Where, then.
-  bool has_view_port = false;      ///< Whether somebody chose it.
   foxglove::ServerOptions server;  ///< Where, then.
   std::string output_path;         ///< Empty: nothing is written.
   std::string known_map;           ///< To localise in; empty: a map is made.

@@ -178,9 +178,8 @@ void LiveRun::make_session() {
 }
 
 void LiveRun::make_view() {
-  if (!options_.has_view_port && options_.is_shown && options_.view.port == options_.server.port) {
-    ++options_.view.port;  // Foxglove has it.
-  }
+  const bool is_taken = options_.is_shown && options_.view.port == server_->port();
+  if (is_taken) ++options_.view.port;  // By Foxglove.
   const bool can_save = mapping_ && !options_.output_path.empty();
   view_ = std::make_unique<ViewOutput>(
       options_.view, *session_, can_save, [this](const std::string& name) {
