@@ -5,27 +5,15 @@
 #include <utility>
 #include <vector>
 
+#include "apps/live/closure_lines.hpp"
 #include "setsquare/io/logs/bag/scan_messages.hpp"
 #include "setsquare/io/ros/builtin_definitions.hpp"
 #include "setsquare/io/ros/message_encoder.hpp"
-#include "setsquare/report/map/closure_markers.hpp"
 
 namespace setsquare::live_app {
 namespace {
 
 constexpr const char* kMarkers = "visualization_msgs/msg/MarkerArray";
-
-/// Closures between scans that are placed, where they are placed now.
-std::vector<ClosureLine> lines_of_closures(const Map& map) {
-  std::vector<ClosureLine> lines;
-  for (const MappedClosure& mapped : closures_of_placed(map)) {
-    if (!mapped.closure.is_accepted) continue;
-    lines.push_back({map.scans[mapped.scan_i].T_map_base.translation(),
-                     map.scans[mapped.scan_j].T_map_base.translation(),
-                     !mapped.closure.is_outvoted()});
-  }
-  return lines;
-}
 
 /// A red cross, 1 m wide, where the map may be wrong.
 std::vector<ClosureLine> crosses_of_doubts(const Map& map) {
@@ -89,18 +77,21 @@ void FoxgloveOutput::show_pose(const LogRecord& record, const LivePose& pose) {
   transforms.transforms.push_back(
       transform_from_pose(pose.stamp, frames_.base, laser.frame, record.scan.T_base_sensor));
   publish(transforms_, pose.stamp, transforms);
-  publish(pose_, pose.stamp, pose_message(pose, frames_));
+  if (pose.is_placed) publish(pose_, pose.stamp, pose_message(pose, frames_));
 }
 
 void FoxgloveOutput::show_map(const LiveMapPtr& map) {
   const Timestamp stamp = map->map.scans.empty() ? Timestamp{} : map->map.scans.back().stamp;
   publish(map_, stamp, message_from_grid(map->grid, frames_.map, stamp));
-  publish(path_, stamp, path_message(map->map, frames_));
   ros::CdrWriter writer;
   encode_closure_markers(lines_of_closures(map->map), stamp, writer);
   server_.publish(closures_, stamp, writer.message());
   encode_closure_markers(crosses_of_doubts(map->map), stamp, writer);
   server_.publish(doubts_, stamp, writer.message());
+}
+
+void FoxgloveOutput::show_way(const Trajectory& way) {
+  if (!way.empty()) publish(path_, way.back().stamp, path_message(way, frames_));
 }
 
 }  // namespace setsquare::live_app

@@ -20,6 +20,7 @@ class FoxgloveOutput final : public LiveOutput {
 
   void show_pose(const LogRecord& record, const LivePose& pose) override;
   void show_map(const LiveMapPtr& map) override;
+  void show_way(const Trajectory& way) override;
 
  private:
   struct Laser {

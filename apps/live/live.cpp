@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <CLI/App.hpp>
+#include <cstdlib>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -19,6 +20,8 @@
 #include "apps/live/subcommands.hpp"
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
+#include "setsquare/core/angle.hpp"
+#include "setsquare/core/error.hpp"
 
 namespace setsquare::live_app {
 namespace {
@@ -36,10 +39,50 @@ constexpr NamedOption kNamedOptions[] = {{"scan_topic", "--scan-topic"},
                                          {"base_frame", "--base-frame"},
                                          {"map_update_interval", "--map-period"}};
 
+/// slam_toolbox's "map_file_name" is the map to localise in, or to go on with where "mode" is
+/// "mapping"; "map_start_pose" has its heading in rad.
+void apply_mode(CLI::App& live, NodeParams& params) {
+  const auto first = [&](const char* name) {
+    const auto found = params.find(name);
+    if (found == params.end() || found->second.empty()) return std::string();
+    return found->second.front();
+  };
+  const std::string mode = first("mode");
+  const std::string map = first("map_file_name");
+  if (!mode.empty() && mode != "mapping" && mode != "localization") {
+    throw ParameterError("mode", "is \"mapping\" or \"localization\", not \"" + mode + "\"");
+  }
+  const bool is_localising = mode == "localization";
+  CLI::Option* localize = live.get_option("--localize");
+  CLI::Option* go_on = live.get_option("--continue");
+  CLI::Option* start = live.get_option("--start");
+  const bool is_given = localize->count() > 0 || go_on->count() > 0;
+  if (is_localising && map.empty() && !is_given) {
+    throw ParameterError("map_file_name", "names no map to localise in");
+  }
+  if (!map.empty() && !is_given) {
+    CLI::Option* option = is_localising ? localize : go_on;
+    option->add_result(map);
+    option->run_callback();
+  }
+  const auto pose = params.find("map_start_pose");
+  if (pose != params.end() && pose->second.size() == 3 && localize->count() > 0 &&
+      start->count() == 0) {
+    start->add_result(pose->second[0]);
+    start->add_result(pose->second[1]);
+    start->add_result(
+        fmt::format("{}", deg_from_rad(std::strtod(pose->second[2].c_str(), nullptr))));
+    start->run_callback();
+  }
+  for (const char* name : {"mode", "map_file_name", "map_start_pose"}) params.erase(name);
+}
+
 /// Parameters of the file stand in for options that were not given; others are named.
 void apply_params_file(CLI::App& live, const std::string& path) {
   std::vector<std::string> unknown;
-  for (const auto& [name, values] : read_params_file(path)) {
+  NodeParams params = read_params_file(path);
+  apply_mode(live, params);
+  for (const auto& [name, values] : params) {
     const auto* named = std::find_if(std::begin(kNamedOptions),
                                      std::end(kNamedOptions),
                                      [&](const auto& known) { return name == known.parameter; });
@@ -89,6 +132,7 @@ void add_ros2_options(CLI::App& live, const std::shared_ptr<LiveOptions>& option
   add_domain_options(live, ros2.domain, ros2.is_local);
   live.get_option("--network")->each([options](const std::string&) {
     options->server.address = "0.0.0.0";
+    options->view.address = "0.0.0.0";
   });
 }
 
@@ -96,7 +140,7 @@ void add_ros2_options(CLI::App& live, const std::shared_ptr<LiveOptions>& option
 
 void add_live(CLI::App& application) {
   const auto options = std::make_shared<LiveOptions>();
-  CLI::App* live = application.add_subcommand("live", "Map while the robot drives");
+  CLI::App* live = application.add_subcommand("live", "Map, or localise, while the robot drives");
   app::add_log_options(*live, options->mapping.log);
   // A window of a log has no meaning for what comes now, and --from is where it comes from.
   for (const char* window : {"--from", "--to"}) live->remove_option(live->get_option(window));
@@ -112,6 +156,14 @@ void add_live(CLI::App& application) {
       ->check(app::whole_number(0, 65535))
       ->type_name("PORT")
       ->capture_default_str();
+  live->add_option(
+          "--view",
+          options->view.port,
+          "Show map, scan and pose to browsers of this machine, at http://127.0.0.1:8765 or "
+          "another port; 0: one that is free. Buttons save the map and set a pose")
+      ->expected(0, 1)
+      ->check(app::whole_number(0, 65535))
+      ->type_name("PORT");
   live->add_option("--speed", options->speed, "Of --replay, in times the robot's; 0: no waiting")
       ->check(app::number_from(0.0, 1e6))
       ->type_name("X")
@@ -128,6 +180,26 @@ void add_live(CLI::App& application) {
       ->capture_default_str();
   live->add_option("-o,--output", options->output_path, "Directory for the map, at the end")
       ->type_name("DIR");
+  live->add_option("--localize",
+                   options->known_map,
+                   "Find the robot in this map instead: a folder that `setsquare map` wrote, its "
+                   "map.setsquare, or any map.yaml (nav2)")
+      ->type_name("MAP")
+      ->excludes("--state");
+  live->add_option(
+          "--start",
+          options->start,
+          "With --localize: where the robot starts, to about 1 m and 30 deg: x and y in m, "
+          "heading in deg")
+      ->delimiter(',')
+      ->expected(3)
+      ->type_name("X,Y,DEG");
+  live->add_option("--continue",
+                   options->continued_map,
+                   "Map to go on with: map.setsquare, or the folder that `map` wrote. It is only "
+                   "read; the robot may begin anywhere in it")
+      ->type_name("MAP")
+      ->excludes("--localize");
   live->add_option(
           "--map-period", options->live.map_period_s, "Seconds from a map to the next, at least")
       ->check(app::number_above(0.0))
@@ -144,17 +216,27 @@ void add_live(CLI::App& application) {
   live->footer(
       "Each scan's pose is there at once; loops are closed and maps drawn beside it. At the end,\n"
       "or by Ctrl-C or SIGTERM, the map is finished: its files are those that `setsquare map`\n"
-      "makes of the same scans, but for timing.json. docs/live.md tells what it publishes.\n"
+      "makes of the same scans, but for timing.json. With --localize nothing need be known of "
+      "where\n"
+      "the robot starts; the files are those of `setsquare localize`. docs/live.md tells what it\n"
+      "publishes.\n"
       "Examples:\n"
       "  setsquare live --ros2 -o out\n"
       "  setsquare live --ros2 --state kept -o out\n"
       "  setsquare live --ros2 --scan-topic /front/scan --slam-toolbox-names -o out\n"
+      "  setsquare live --ros2 --view -o out\n"
+      "  setsquare live --ros2 --localize out                 (in place of AMCL)\n"
+      "  setsquare live --ros2 --continue monday -o both\n"
       "  setsquare live --from ws://127.0.0.1:8765 -o out\n"
       "  setsquare live --replay intel.clf --speed 10 --foxglove -o out");
   live->callback([live, options] {
+    options->is_viewed = live->get_option("--view")->count() > 0;
     if (!options->params_path.empty()) apply_params_file(*live, options->params_path);
     if (!options->is_ros2 && options->replayed_log.empty() && options->bridge.empty()) {
       throw CLI::RequiredError("--ros2, --from ADDRESS or --replay LOG");
+    }
+    if (!options->start.empty() && options->known_map.empty()) {
+      throw CLI::RequiredError("--start: --localize MAP");
     }
     StopSignal stop;  // Before other threads.
     LiveRun(*options, stop).run();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "setsquare/core/trajectory.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/live/live_pose.hpp"
 
@@ -16,6 +17,8 @@ class LiveOutput {
   virtual void show_pose(const LogRecord& record, const LivePose& pose) = 0;
   /// Each new map, on the thread that draws.
   virtual void show_map(const LiveMapPtr& map) = 0;
+  /// The way so far, now and then, on the same thread.
+  virtual void show_way(const Trajectory& way) = 0;
 };
 
 }  // namespace setsquare::live_app

@@ -2,10 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/live/ros2_messages.hpp"
 
-#include <cmath>
-#include <optional>
-
-#include "setsquare/core/angle.hpp"
 #include "setsquare/io/logs/bag/scan_messages.hpp"
 
 namespace setsquare::live_app {
@@ -18,13 +14,6 @@ ros::PoseStamped pose_stamped(Timestamp stamp, const std::string& frame, const P
   message.position_m = {pose.x_m, pose.y_m, 0.0};
   message.orientation = quaternion_from_yaw(pose.theta_rad);
   return message;
-}
-
-bool has_moved_on(const Pose2& from, const Pose2& to) {
-  constexpr double kSpacing_m = 0.1;
-  constexpr double kTurn_rad = rad_from_deg(5.0);
-  const Pose2 moved = from.inverse() * to;
-  return std::hypot(moved.x_m, moved.y_m) >= kSpacing_m || std::abs(moved.theta_rad) >= kTurn_rad;
 }
 
 }  // namespace
@@ -43,8 +32,10 @@ ros::PoseWithCovarianceStamped pose_message(const LivePose& pose, const FrameNam
 
 ros::TfMessage transforms_message(const LivePose& pose, const FrameNames& frames, bool has_wheels) {
   ros::TfMessage message;
-  message.transforms.push_back(
-      transform_from_pose(pose.stamp, frames.map, frames.odom, pose.T_map_odom));
+  if (pose.is_placed) {
+    message.transforms.push_back(
+        transform_from_pose(pose.stamp, frames.map, frames.odom, pose.T_map_odom));
+  }
   if (!has_wheels) {
     message.transforms.push_back(
         transform_from_pose(pose.stamp, frames.odom, frames.base, pose.T_odom_base));
@@ -52,16 +43,13 @@ ros::TfMessage transforms_message(const LivePose& pose, const FrameNames& frames
   return message;
 }
 
-ros::Path path_message(const Map& map, const FrameNames& frames) {
+ros::Path path_message(const Trajectory& way, const FrameNames& frames) {
   ros::Path path;
   path.frame_id = frames.map;
-  std::optional<Pose2> last;
-  for (const MappedScan& scan : map.scans) {
-    if (!scan.is_placed || (last && !has_moved_on(*last, scan.T_map_base))) continue;
-    last = scan.T_map_base;
-    path.poses.push_back(pose_stamped(scan.stamp, frames.map, scan.T_map_base));
+  for (const StampedPose& at : way) {
+    path.poses.push_back(pose_stamped(at.stamp, frames.map, at.pose));
   }
-  if (!map.scans.empty()) path.stamp = map.scans.back().stamp;
+  if (!way.empty()) path.stamp = way.back().stamp;
   return path;
 }
 

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "setsquare/core/trajectory.hpp"
 #include "setsquare/io/ros/messages.hpp"
 #include "setsquare/live/live_pose.hpp"
 
@@ -20,12 +21,12 @@ struct FrameNames {
 [[nodiscard]] ros::PoseWithCovarianceStamped pose_message(const LivePose& pose,
                                                           const FrameNames& frames);
 
-/// map -> odom; and odom -> base where the robot has no odometry that tells it.
+/// map -> odom, where the robot's place in the map is known; and odom -> base where the robot has
+/// no odometry that tells it.
 [[nodiscard]] ros::TfMessage transforms_message(const LivePose& pose,
                                                 const FrameNames& frames,
                                                 bool has_wheels);
 
-/// The way so far, a pose every 0.1 m or 5 degrees.
-[[nodiscard]] ros::Path path_message(const Map& map, const FrameNames& frames);
+[[nodiscard]] ros::Path path_message(const Trajectory& way, const FrameNames& frames);
 
 }  // namespace setsquare::live_app

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <utility>
 
+#include "apps/live/said_poses.hpp"
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/logs/bag/scan_messages.hpp"
 #include "setsquare/io/ros/message_encoder.hpp"
@@ -158,6 +159,14 @@ bool Ros2Node::is_of_source(const std::string& topic, std::uint64_t writer) {
   return true;
 }
 
+void Ros2Node::hear_poses(LiveSession& session) {
+  const auto poses = std::make_shared<SaidPoses>(session, options_.frames.map);
+  participant_->subscribe(
+      kSaidPoseTopic, kSaidPoseType, {.depth = 10}, [poses](std::string_view cdr, std::uint64_t) {
+        poses->take(cdr);
+      });
+}
+
 // --- What goes -----------------------------------------------------------------------------------
 
 template <typename Message>
@@ -169,8 +178,9 @@ void Ros2Node::publish(dds::Publisher& publisher, const Message& message) {
 
 void Ros2Node::show_pose(const LogRecord& /*record*/, const LivePose& pose) {
   has_wheels_ = has_wheels_ || pose.has_wheels;
-  publish(*transforms_, transforms_message(pose, options_.frames, has_wheels_));
-  publish(*pose_, pose_message(pose, options_.frames));
+  const ros::TfMessage transforms = transforms_message(pose, options_.frames, has_wheels_);
+  if (!transforms.transforms.empty()) publish(*transforms_, transforms);
+  if (pose.is_placed) publish(*pose_, pose_message(pose, options_.frames));
   const std::lock_guard lock(mutex_);
   last_pose_ = Clock::now();
   ++num_poses_;
@@ -182,12 +192,16 @@ void Ros2Node::show_map(const LiveMapPtr& map) {
   ros::CdrWriter writer;
   ros::encode_metadata(grid, writer);
   metadata_->publish(writer.message());
-  publish(*path_, path_message(map->map, options_.frames));
+}
+
+void Ros2Node::show_way(const Trajectory& way) {
+  publish(*path_, path_message(way, options_.frames));
 }
 
 // --- Requests ------------------------------------------------------------------------------------
 
 void Ros2Node::serve(LiveSession& session, Save save) {
+  hear_poses(session);
   serve_own(session, save);
   if (options_.has_slam_toolbox_names) serve_as_slam_toolbox(session, save);
   teller_ = std::thread([this, &session] { tell_until_end(session); });
@@ -255,44 +269,38 @@ void Ros2Node::tell_until_end(LiveSession& session) {
 }
 
 ros::DiagnosticArray Ros2Node::diagnostics(const LiveSession& session) {
-  const LiveCounts counts = session.counts();
-  ros::DiagnosticStatus status;
-  status.name = "setsquare: mapping";
-  status.message = "mapping";
-  const auto warn = [&](const std::string& message) {
-    status.message = status.level == ros::DiagnosticStatus::Level::kOk
-                         ? message
-                         : status.message + "; " + message;
-    status.level = ros::DiagnosticStatus::Level::kWarning;
-  };
+  LiveReport report = session.report();
+  std::vector<std::string>& warnings = report.warnings;
   {
     const std::lock_guard lock(mutex_);
     const double silent_s = std::chrono::duration<double>(Clock::now() - last_pose_).count();
     if (silent_s > std::chrono::duration<double>(kSilence).count()) {
-      warn(fmt::format("no scan for {:.0f} s", silent_s));
+      warnings.push_back(fmt::format("no scan for {:.0f} s", silent_s));
     }
     for (const auto& [topic, source] : sources_) {
       if (source.num_of_others == 0) continue;
-      warn(fmt::format("{} is published by several nodes: {} messages of others left out",
-                       topic,
-                       source.num_of_others));
+      warnings.push_back(
+          fmt::format("{} is published by several nodes: {} messages of others left out",
+                      topic,
+                      source.num_of_others));
     }
   }
-  if (session.is_paused()) warn("paused");
-  if (counts.num_undrawn > 0) {
-    warn(fmt::format("{} maps could not be made of what came", counts.num_undrawn));
-  }
+  if (session.is_paused()) warnings.emplace_back("paused");
   const std::uint64_t num_dropped = queue_.num_dropped();
   const std::uint64_t num_refused = participant_->num_refused();
-  if (num_dropped > 0) warn(fmt::format("{} messages dropped: too many came", num_dropped));
-  if (num_refused > 0) warn(fmt::format("{} messages refused: too large, or none", num_refused));
-  status.values = {{"scans", std::to_string(counts.num_scans)},
-                   {"lost", std::to_string(counts.num_lost)},
-                   {"maps", std::to_string(counts.num_maps)},
-                   {"scans behind the map", std::to_string(counts.num_behind)},
-                   {"tracked again", std::to_string(counts.num_again)},
-                   {"messages dropped", std::to_string(num_dropped)},
-                   {"messages refused", std::to_string(num_refused)}};
+  if (num_dropped > 0) {
+    warnings.push_back(fmt::format("{} messages dropped: too many came", num_dropped));
+  }
+  if (num_refused > 0) {
+    warnings.push_back(fmt::format("{} messages refused: too large, or none", num_refused));
+  }
+  report.values.emplace_back("messages dropped", std::to_string(num_dropped));
+  report.values.emplace_back("messages refused", std::to_string(num_refused));
+  ros::DiagnosticStatus status;
+  status.name = "setsquare: " + report.task;
+  status.message = warnings.empty() ? report.doing : fmt::format("{}", fmt::join(warnings, "; "));
+  if (!warnings.empty()) status.level = ros::DiagnosticStatus::Level::kWarning;
+  status.values = std::move(report.values);
   return {.stamp = world_time(), .statuses = {status}};
 }
 

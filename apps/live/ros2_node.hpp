@@ -38,11 +38,11 @@ struct Ros2Options {
 /// Of the world's clock, as log times are.
 [[nodiscard]] Timestamp world_time();
 
-/// Live mapping as a node of a ROS 2 system.
+/// Live mapping, or localisation, as a node of a ROS 2 system.
 ///
-/// Subscribes to scans, odometry, /tf and /tf_static, which go into a queue. Publishes /tf (map ->
-/// odom) and /pose at each scan, /map, /map_metadata and /path with each new map, /diagnostics each
-/// second. Serves /setsquare/{save_map, pause, reset, get_map}.
+/// Subscribes to scans, odometry, /tf and /tf_static, which go into a queue, and to /initialpose.
+/// Publishes /tf (map -> odom) and /pose at each scan, /map and /map_metadata with each new map,
+/// /path, /diagnostics each second. Serves /setsquare/{save_map, pause, reset, get_map}.
 class Ros2Node final : public LiveOutput {
  public:
   /// Saves a map; the answer is where, or throws Error.
@@ -62,6 +62,7 @@ class Ros2Node final : public LiveOutput {
 
   void show_pose(const LogRecord& record, const LivePose& pose) override;
   void show_map(const LiveMapPtr& map) override;
+  void show_way(const Trajectory& way) override;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -74,6 +75,8 @@ class Ros2Node final : public LiveOutput {
   };
 
   void subscribe(const std::string& topic, const std::string& type);
+  /// /initialpose: where somebody says that the robot is.
+  void hear_poses(LiveSession& session);
   [[nodiscard]] bool is_of_source(const std::string& topic, std::uint64_t writer);
   void serve_own(LiveSession& session, const Save& save);
   void serve_as_slam_toolbox(LiveSession& session, const Save& save);

@@ -12,17 +12,18 @@ namespace setsquare::app {
 
 namespace {
 
-const OtherProgram kProgram{
-    .name = "setsquare-live",
-    .target = "setsquare_live_app",
-    .what_it_does =
-        "setsquare live maps while the robot drives; setsquare replay publishes a log as "
-        "a robot would."};
+const OtherProgram kProgram{.name = "setsquare-live",
+                            .target = "setsquare_live_app",
+                            .what_it_does =
+                                "setsquare live maps, or localises, while the robot drives; "
+                                "setsquare replay publishes a log as "
+                                "a robot would."};
 
 }  // namespace
 
 void add_live(CLI::App& application) {
-  add_other_program(application, "live", "Map while the robot drives", kProgram, {"live"});
+  add_other_program(
+      application, "live", "Map, or localise, while the robot drives", kProgram, {"live"});
   add_other_program(application, "replay", "Publish a log as a robot would", kProgram, {"replay"});
 }
 

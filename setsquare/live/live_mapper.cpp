@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/live/live_mapper.hpp"
 
-#include <sys/resource.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -21,6 +18,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/live/map_frame.hpp"
+#include "setsquare/live/stand_back.hpp"
 #include "setsquare/mapping/growing_map.hpp"
 #include "setsquare/mapping/log_tracker.hpp"
 
@@ -31,11 +29,6 @@ using Clock = std::chrono::steady_clock;
 
 Clock::duration duration_of(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
-}
-
-/// Of the calling thread alone: Linux counts niceness by thread.
-void stand_back(int niceness) {
-  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), niceness);
 }
 
 Pose2 base_by_tracking(const TrackedPose& tracked, const Pose2& T_base_sensor) {
@@ -69,6 +62,12 @@ class LiveMapper::Parts {
  public:
   Parts(const LiveMapperParams& params, OnMap on_map)
       : params_(params), on_map_(std::move(on_map)), tracker_(params.mapper), map_(params.mapper) {
+    if (params.known_map) {
+      map_.add(*params.known_map);
+      num_known_scans_ = map_.num_scans();
+      has_changed_ = true;  // It is shown as it is, before the first scan.
+      counts_.is_placed = false;
+    }
     drawer_ = std::thread([this] { draw_until_end(); });
   }
   ~Parts() {
@@ -128,9 +127,10 @@ class LiveMapper::Parts {
   // Of the drawer.
   GrowingMap map_;
   SensorReports sensors_;
-  Pose2 T_track_base_;          ///< Of the last scan of map_.
-  std::size_t run_of_map_ = 0;  ///< Of the steps in map_.
-  bool has_changed_ = false;    ///< A keyframe came since the last map.
+  std::size_t num_known_scans_ = 0;  ///< Of the map that is gone on with.
+  Pose2 T_track_base_;               ///< Of the last scan of map_.
+  std::size_t run_of_map_ = 0;       ///< Of the steps in map_.
+  bool has_changed_ = false;         ///< A keyframe came since the last map.
   Clock::time_point next_drawing_ = Clock::now();
 
   mutable std::mutex mutex_;  ///< All below.
@@ -159,6 +159,7 @@ class LiveMapper::Parts {
 LivePose LiveMapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   LogTracker::require_valid(scan, T_wheels_base);
   bool is_provisional = false;
+  bool is_placed = false;
   Eigen::Matrix3d covariance;
   {
     const std::lock_guard lock(mutex_);
@@ -167,6 +168,7 @@ LivePose LiveMapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_
     is_provisional = is_tracking_again_;
     if (is_provisional) catch_up_.emplace_back(MapperScan{scan, T_wheels_base});
     if (correction_) frame_.correct(correction_->first, correction_->second);
+    is_placed = counts_.is_placed;
     covariance = covariance_;
     ++counts_.num_scans;
   }
@@ -187,6 +189,7 @@ LivePose LiveMapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_
   return {.stamp = scan.stamp,
           .status = tracked.status,
           .is_mapped = tracked.is_mapped,
+          .is_placed = is_placed,
           .T_map_base = placed.T_map_base,
           .T_odom_base = placed.T_odom_base,
           .has_wheels = T_wheels_base.has_value(),
@@ -365,7 +368,8 @@ void LiveMapper::Parts::draw() {
         LiveMap{.number = counts_.num_maps, .map = std::move(map), .grid = std::move(*grid)});
     last_map_ = drawn;
     // A piece of track that could not be joined lies anywhere: the robot goes on from where it was.
-    if (last.is_placed) {
+    if (last.is_placed && drawn->map.scans.size() > num_known_scans_) {
+      counts_.is_placed = true;
       correction_.emplace(last.T_map_base * T_track_base_.inverse(), run_of_map_);
       covariance_ = covariance_of(last);
     }

@@ -19,6 +19,9 @@ namespace setsquare {
 
 struct LiveMapperParams {
   MapperParams mapper;
+  /// A map to go on with (Mapper), or null. Until the robot's place in it is found, its poses have
+  /// no meaning (LivePose::is_placed).
+  std::shared_ptr<const Map> known_map = nullptr;
   double map_period_s = 2.0;  ///< A map is drawn no more often.
   /// At most this share of the time goes into maps that are drawn on the way: large ones come less
   /// often. Loops are closed as in Mapper.
@@ -31,6 +34,7 @@ struct LiveMapperParams {
 
 /// What a live mapper has done so far.
 struct LiveCounts {
+  bool is_placed = true;        ///< Whether the robot's place in the map is known.
   std::size_t num_scans = 0;    ///< That came.
   std::size_t num_lost = 0;     ///< Of these, not placed.
   std::size_t num_behind = 0;   ///< Tracked, but not yet part of the growing map.
@@ -55,7 +59,8 @@ class LiveMapper {
   /// Told of each new map, on the other thread; must not call the mapper's finish().
   using OnMap = std::function<void(const LiveMapPtr&)>;
 
-  /// Throws ParameterError that names the field.
+  /// Throws ParameterError that names the field, or where the map to go on with does not tell its
+  /// track.
   explicit LiveMapper(const LiveMapperParams& params = {}, OnMap on_map = {});
   /// What is not yet part of the map is given up.
   ~LiveMapper();

@@ -3,19 +3,15 @@
 #pragma once
 
 #include <atomic>
-#include <condition_variable>
 #include <functional>
-#include <future>
-#include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
+#include "setsquare/core/trajectory.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
-#include "setsquare/live/live_mapper.hpp"
 #include "setsquare/live/live_pose.hpp"
-#include "setsquare/pipeline/log_intake.hpp"
-#include "setsquare/pipeline/map_log.hpp"
 
 namespace setsquare {
 
@@ -24,67 +20,82 @@ struct LiveWatcher {
   /// After each scan, on the session's thread, which tracks: must return at once.
   std::function<void(const LogRecord& record, const LivePose& pose)> on_pose = {};
   /// Each new map, on the thread that draws.
-  LiveMapper::OnMap on_map = {};
-  /// A scan that cannot be mapped, and why.
+  std::function<void(const LiveMapPtr&)> on_map = {};
+  /// The way so far (DrivenWay), where it is not that of the map; on the thread that places.
+  std::function<void(const Trajectory&)> on_way = {};
+  /// A scan that cannot be used, and why.
   std::function<void(const LogRecord& record, const std::string& reason)> on_refused = {};
   /// All is forgotten; on the session's thread.
   std::function<void()> on_reset = {};
 };
 
-/// A run of live mapping: from a log that comes while the robot drives, or as if it did, to its
-/// map. What map_log() does, with poses and maps on the way, and with a robot's wishes: pause,
-/// reset, a map now.
+/// How a session does, for people and for /diagnostics.
+struct LiveReport {
+  std::string task;                   ///< "mapping", "localisation".
+  std::string doing;                  ///< "mapping", "localised", "lost".
+  std::vector<std::string> warnings;  ///< What is not as it should be, a few words each.
+  std::vector<std::pair<std::string, std::string>> values;  ///< Names and figures.
+};
+
+/// A run on a log that comes while the robot drives, or as if it did, with a robot's wishes: pause,
+/// reset. What becomes of the scans is a map (MappingSession) or a place in one
+/// (LocalizingSession).
 class LiveSession {
  public:
-  /// `name`: of the log, as run.json and messages have it. The preset is the default one. Throws
-  /// ParameterError.
-  LiveSession(std::string name,
-              const MapLogOptions& options,
-              const LiveMapperParams& params,
-              LiveWatcher watcher);
+  virtual ~LiveSession() = default;
+  LiveSession(const LiveSession&) = delete;
+  LiveSession& operator=(const LiveSession&) = delete;
 
-  /// Reads the log until it ends and maps it; then its map, the files of which are those that
-  /// map_log() would have given (save_options_of). Throws FileError, FormatError, ParameterError.
-  [[nodiscard]] MappedLog run(LogReader& reader);
+  // Called by any thread, while the session runs.
 
-  // Called by any thread, while run() is.
-
-  /// Whether scans are left out of the map. Poses go on by the wheels.
+  /// Whether scans are left out. Poses go on by the wheels.
   void pause(bool is_paused) { is_paused_ = is_paused; }
   [[nodiscard]] bool is_paused() const { return is_paused_; }
-  /// Forgets all, before the next scan.
+  /// Forgets all that the log has shown, before the next scan.
   void reset() { must_reset_ = true; }
-  /// See LiveMapper.
-  [[nodiscard]] std::future<LiveMapPtr> request_map();
-  [[nodiscard]] LiveMapPtr last_map() const;
-  [[nodiscard]] LiveCounts counts() const;
-  /// A map that was drawn on the way, as map_log() gives one: to be saved. Waits for the next
-  /// record, but not long.
-  [[nodiscard]] MappedLog mapped_log_of(const LiveMap& map);
+  /// Somebody says where the robot is, to about 1 m and 30 deg. Returns whether that has a meaning
+  /// here. Throws ParameterError where it is no pose.
+  virtual bool set_pose(const Pose2& T_map_base) = 0;
+  /// The last map; null before the first.
+  [[nodiscard]] virtual LiveMapPtr last_map() const = 0;
+  /// How it goes; without what the whole session knows (is_paused).
+  [[nodiscard]] virtual LiveReport report() const = 0;
+
+ protected:
+  LiveSession(bool uses_odometry, LiveWatcher watcher)
+      : uses_odometry_(uses_odometry), watcher_(std::move(watcher)) {}
+
+  /// Reads the log until it ends.
+  void read(LogReader& reader);
+  /// The robot's pose by the wheels, where it is to be used.
+  [[nodiscard]] std::optional<Pose2> wheels_of(const LogRecord& record) const {
+    return uses_odometry_ ? record.T_odom_base : std::nullopt;
+  }
+
+  // On the session's thread.
+
+  /// Whether the reader's next record is used at all.
+  [[nodiscard]] virtual bool takes(const LogRecord& record, const LogReader& reader) = 0;
+  /// Throws ParameterError where the scan is none.
+  [[nodiscard]] virtual LivePose add_scan(const LogRecord& record) = 0;
+  virtual void add_turn_rate(const LogRecord& /*record*/) {}
+  /// Forgets all.
+  virtual void begin_again() = 0;
+  virtual void after_record(const LogReader& /*reader*/) {}
+  /// Whether the robot's first pose is known: that of the map.
+  [[nodiscard]] virtual bool knows_start() const = 0;
+
+  [[nodiscard]] const LiveWatcher& watcher() const { return watcher_; }
 
  private:
   void add(const LogRecord& record);
-  [[nodiscard]] Map finished_map(MappedLog& mapped);
-  void begin_again();
-  void tell(const LogReader& reader);
-  [[nodiscard]] std::shared_ptr<LiveMapper> mapper() const;
-  [[nodiscard]] std::shared_ptr<LiveMapper> made_mapper() const;
   [[nodiscard]] LivePose paused_pose(const LogRecord& record) const;
 
-  std::string name_;
-  MapLogOptions options_;
-  LiveMapperParams params_;
-  LiveWatcher watcher_;
-  LogIntake intake_;
+  const bool uses_odometry_;
+  const LiveWatcher watcher_;
   std::atomic<bool> is_paused_ = false;
   std::atomic<bool> must_reset_ = false;
-  std::atomic<bool> must_tell_ = false;  ///< told_ is to be brought up to date.
-  LivePose last_pose_;                   ///< Of the session's thread.
-
-  mutable std::mutex mutex_;  ///< All below.
-  std::shared_ptr<LiveMapper> mapper_;
-  MappedLog told_;  ///< Everything but the map, as far as is known.
-  std::condition_variable is_told_;
+  std::optional<LivePose> last_pose_;  ///< Of the session's thread.
 };
 
 }  // namespace setsquare

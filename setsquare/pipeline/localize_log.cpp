@@ -23,24 +23,26 @@ OccupancyGrid read_grid_to_localise_in(const std::string& path) {
   return read_map_pgm_yaml(is_folder ? (fs::path(path) / "map.yaml").string() : path);
 }
 
+void count(const LocalisedPose& pose, LocalisationCounts& counts) {
+  const std::size_t num_before = counts.num_localised + counts.num_ambiguous + counts.num_lost;
+  counts.num_confirmed += pose.is_confirmed;
+  switch (pose.status) {
+    case LocalisationStatus::kLocalised:
+      ++counts.num_localised;
+      if (!counts.first_localised) counts.first_localised = num_before;
+      break;
+    case LocalisationStatus::kAmbiguous:
+      ++counts.num_ambiguous;
+      break;
+    case LocalisationStatus::kLost:
+      ++counts.num_lost;
+      break;
+  }
+}
+
 LocalisationCounts counts_of(const LocalizedLog& log) {
   LocalisationCounts counts;
-  for (std::size_t i = 0; i < log.poses.size(); ++i) {
-    const LocalisedPose& pose = log.poses[i];
-    counts.num_confirmed += pose.is_confirmed;
-    switch (pose.status) {
-      case LocalisationStatus::kLocalised:
-        ++counts.num_localised;
-        if (!counts.first_localised) counts.first_localised = i;
-        break;
-      case LocalisationStatus::kAmbiguous:
-        ++counts.num_ambiguous;
-        break;
-      case LocalisationStatus::kLost:
-        ++counts.num_lost;
-        break;
-    }
-  }
+  for (const LocalisedPose& pose : log.poses) count(pose, counts);
   return counts;
 }
 
@@ -54,6 +56,17 @@ Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of) {
   return trajectory;
 }
 
+void require_something_to_find(const KnownMap& map) {
+  if (!map.is_empty()) return;
+  throw ParameterError("map", "has no walls or no free space: nothing can be found in it");
+}
+
+void tell_log(const LogReader& reader, const LocalizeLogOptions& options, LocalizedLog& log) {
+  log.problems = reader.problems();
+  log.format = reader.format();
+  log.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
+}
+
 LocalizedLog localize_log(LogReader& reader,
                           const std::string& name,
                           std::shared_ptr<const KnownMap> map,
@@ -62,9 +75,7 @@ LocalizedLog localize_log(LogReader& reader,
   if (names_several(options.log.sensor)) {
     throw ParameterError("sensor", "scans of one scanner are localised");
   }
-  if (map != nullptr && map->is_empty()) {
-    throw ParameterError("map", "has no walls or no free space: nothing can be found in it");
-  }
+  if (map != nullptr) require_something_to_find(*map);
   LocalizedLog log;
   log.name = name;
   Localizer localizer(std::move(map), options.localisation);
@@ -81,9 +92,7 @@ LocalizedLog localize_log(LogReader& reader,
     log.poses.push_back(
         localizer.add(record->scan, options.uses_odometry ? record->T_odom_base : std::nullopt));
   }
-  log.problems = reader.problems();
-  log.format = reader.format();
-  log.sensor = options.log.sensor.empty() ? reader.front_sensor() : options.log.sensor;
+  tell_log(reader, options, log);
   if (log.poses.empty()) throw FileError(name, "has no scan to localise");
   return log;
 }

@@ -45,11 +45,19 @@ struct LocalisationCounts {
   std::size_t num_confirmed = 0;               ///< Compared with the map, and agreeing.
   std::optional<std::size_t> first_localised;  ///< Index of the scan.
 };
+/// Counts one more scan.
+void count(const LocalisedPose& pose, LocalisationCounts& counts);
 /// Counted over all scans.
 [[nodiscard]] LocalisationCounts counts_of(const LocalizedLog& log);
 
 /// Poses of the scans that were localised.
 [[nodiscard]] Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of = PoseOf::kBase);
+
+/// Throws ParameterError where a map has no walls or no free space.
+void require_something_to_find(const KnownMap& map);
+
+/// Writes what was read of a log: its format, sensor and problems.
+void tell_log(const LogReader& reader, const LocalizeLogOptions& options, LocalizedLog& log);
 
 /// Reads the opened log to its end and follows its front scanner (or LogOptions::sensor) in the
 /// map. Throws FileError, FormatError, ParameterError; FileError, too, where it has no scan.

@@ -142,8 +142,12 @@ class Chromium:
 
     def open(self, path, is_drawn="window.setsquare.map.image.isReady"):
         """Loads a file and waits until the page has drawn itself."""
+        self.visit("file://" + os.path.abspath(path), is_drawn)
+
+    def visit(self, url, is_drawn):
+        """The same of any page."""
         self.events.clear()
-        self.call("Page.navigate", url="file://" + os.path.abspath(path))
+        self.call("Page.navigate", url=url)
         self.wait_for("document.readyState === 'complete' && window.setsquare !== undefined && " + is_drawn)
 
     def evaluate(self, expression):

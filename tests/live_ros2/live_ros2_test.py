@@ -81,8 +81,11 @@ class BesideARobot(unittest.TestCase):
         cls.folder = tempfile.TemporaryDirectory()
         cls.out = os.path.join(cls.folder.name, "out")
         live = start_live(101, "-o", cls.out, "--slam-toolbox-names")
-        cls.heard = drive(101, NUM_SCANS, 30, "slam_toolbox")
+        cls.heard = drive(101, NUM_SCANS, 30, "slam_toolbox", "say")
         cls.returncode, cls.told, cls.errors = stop(live)
+        live = start_live(108, "--localize", cls.out, "-o", os.path.join(cls.folder.name, "where"))
+        cls.heard_in_map = drive(108, NUM_SCANS, 30, "say")
+        cls.localised = stop(live)
 
     @classmethod
     def tearDownClass(cls):
@@ -128,6 +131,30 @@ class BesideARobot(unittest.TestCase):
         with open(os.path.join(self.out, "trajectory.tum"), encoding="ascii") as file:
             poses = [line for line in file if not line.startswith("#")]
         self.assertEqual(len(poses), NUM_SCANS)
+
+
+    def test_in_the_map_it_is_found_and_followed_whatever_is_said(self):
+        returncode, told, errors = self.localised
+        self.assertEqual(returncode, 0, errors)
+        heard = self.heard_in_map
+        self.assertIn("said to 1", heard)
+        # No pose and no map -> odom before it is localised; then both with each scan's stamp.
+        poses = numbers(heard, "poses")[0]
+        self.assertTrue(NUM_SCANS / 2 < poses < NUM_SCANS, heard)
+        self.assertEqual(numbers(heard, "tf_with_stamp"), [poses])
+        self.assertEqual(numbers(heard, "map"), numbers(self.heard, "get_map"))
+        self.assertRegex(heard, "diagnostic 0 setsquare: localisation: localised")
+        self.assertIn("save_map 0", heard)
+        # Where it says that it is does not hold against the scans.
+        with open(os.path.join(self.folder.name, "where", "trajectory.tum"), encoding="ascii") as file:
+            last = [float(word) for word in file.readlines()[-1].split()]
+        with open(os.path.join(self.out, "trajectory.tum"), encoding="ascii") as file:
+            mapped = [float(word) for word in file.readlines()[-1].split()]
+        self.assertLess(abs(last[1] - mapped[1]) + abs(last[2] - mapped[2]), 0.06)
+
+    def test_a_pose_that_is_said_while_a_map_is_made_is_refused_once(self):
+        self.assertIn("said to 1", self.heard)
+        self.assertEqual(self.errors.count("/initialpose has no meaning while a map is made"), 1)
 
 
 class BesideOurOwnReplay(unittest.TestCase):
@@ -225,6 +252,20 @@ class Alone(unittest.TestCase):
             self.assertEqual(live.stdout.readline(), "waiting for scans on /front/scan\n")
             _, _, errors = stop(live)
             self.assertIn("without a meaning here: solver_plugin", errors)
+
+    def test_the_modes_of_slam_toolbox_have_their_meaning(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "setsquare.yaml")
+            for mode, needed in [("localization", "nowhere.yaml"), ("mapping", "nowhere")]:
+                with open(path, "w", encoding="ascii") as file:
+                    file.write("slam_toolbox:\n  ros__parameters:\n"
+                               f"    mode: {mode}\n    map_file_name: {folder}/{needed}\n"
+                               "    map_start_pose: [1.0, 2.0, 1.57]\n")
+                live = subprocess.run([SETSQUARE, "live", "--ros2", "--domain", "107", "--params-file",
+                                       path], capture_output=True, text=True, timeout=60, check=False)
+                self.assertEqual(live.returncode, 2)
+                self.assertIn(f"{folder}/{needed}", live.stderr)  # the map that is looked for
+                self.assertNotIn("without a meaning", live.stderr)
 
     def test_without_a_scan_it_says_so(self):
         live = start_live(103)

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A robot on Cyclone DDS, which shares no code with Setsquare: drives through an L-shaped room,
 // publishes its scans, its mounting and its odometry, hears what live mapping finds, and asks its
-// services. robot_peer DOMAIN NUM_SCANS PERIOD_MS [slam_toolbox] prints what it heard, a
-// line each; the last asks slam_toolbox's services, too.
+// services. robot_peer DOMAIN NUM_SCANS PERIOD_MS [slam_toolbox] [say] prints what it heard, a
+// line each. It asks slam_toolbox's services, too; says on /initialpose, twice, that it is where it
+// is not.
 #include <dds/dds.h>
 #include <math.h>
 #include <stdbool.h>
@@ -224,6 +225,31 @@ static void ask_all(bool has_slam_toolbox) {
       reply, { printf("slam_toolbox save_map elsewhere %d\n", reply->result); });
 }
 
+static bool is_asked(int argc, char **argv, const char *word) {
+  for (int i = 4; i < argc; ++i) {
+    if (strcmp(argv[i], word) == 0) return true;
+  }
+  return false;
+}
+
+static void say_pose(void) {
+  dds_entity_t said = writer(&geometry_msgs_msg_dds__PoseWithCovarianceStamped__desc,
+                             "rt/initialpose", true, false, 10);
+  dds_publication_matched_status_t matched = {0};
+  for (int i = 0; i < 200 && matched.current_count == 0; ++i) {
+    dds_sleepfor(DDS_MSECS(50));
+    dds_get_publication_matched_status(said, &matched);
+  }
+  printf("said to %u\n", matched.current_count);
+  char map[] = "map";
+  Pose pose;
+  memset(&pose, 0, sizeof pose);
+  pose.header.frame_id = map;
+  pose.pose.pose.position.x = 1.5, pose.pose.pose.position.y = 6.0;
+  pose.pose.pose.orientation.z = sin(0.5), pose.pose.pose.orientation.w = cos(0.5);
+  dds_write(said, &pose), dds_write(said, &pose);
+}
+
 int main(int argc, char **argv) {
   if (argc < 4) return 2;
   const int num = atoi(argv[2]), period_ms = atoi(argv[3]);
@@ -245,6 +271,7 @@ int main(int argc, char **argv) {
   }
   printf("matched %u\n", matched.current_count);
   dds_sleepfor(DDS_MSECS(500));  // the other way round, too
+  if (is_asked(argc, argv, "say")) say_pose();
 
   char map_odom[] = "odom", base[] = "base_link", laser[] = "laser";
   const int64_t begin_ns = dds_time();
@@ -291,7 +318,7 @@ int main(int argc, char **argv) {
     TAKE(late, Grid, heard, { ++num_late, see_grid(heard); });
   }
   printf("late_maps %d\n", num_late);
-  ask_all(argc > 4);
+  ask_all(is_asked(argc, argv, "slam_toolbox"));
   hear(heard_tf, heard_pose, heard_map, heard_diagnostics);
   printf("diagnostics %d\n", num_diagnostics);
   dds_delete(participant);

@@ -83,7 +83,10 @@ void localize(LocalizeOptions options) {
         {.on_progress = [&](std::optional<double> fraction) { progress.advance(fraction); }});
   }
   const PoseOf pose_of = options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase;
-  write_localize_outputs(outputs, log, grid, options.map_path, pose_of);
+  for (const auto& [file, bytes] : localize_outputs(log, grid, options.map_path, pose_of)) {
+    outputs.add(file, bytes);
+  }
+  outputs.commit();
   const double total_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   tell_localised(log, total_s);

@@ -95,18 +95,16 @@ std::vector<std::string> localize_output_names() {
   return {"trajectory.tum", "localisation.tsv", "localisation.png", "run.json"};
 }
 
-void write_localize_outputs(OutputSet& outputs,
-                            const LocalizedLog& log,
-                            const OccupancyGrid& grid,
-                            const std::string& map_name,
-                            PoseOf pose_of) {
-  outputs.add("trajectory.tum", tum_from_trajectory(trajectory_of(log, pose_of)));
-  outputs.add("localisation.tsv", localisation_tsv(log, pose_of));
+std::vector<NamedBytes> localize_outputs(const LocalizedLog& log,
+                                         const OccupancyGrid& grid,
+                                         const std::string& map_name,
+                                         PoseOf pose_of) {
   const std::vector<MappedScan> scans = as_drawn(log);
-  outputs.add("localisation.png",
-              png_from_image(layered_map_picture(grid, {.scans = scans, .closures = {}})));
-  outputs.add("run.json", run_json_of(log, map_name, pose_of));
-  outputs.commit();
+  return {{"trajectory.tum", tum_from_trajectory(trajectory_of(log, pose_of))},
+          {"localisation.tsv", localisation_tsv(log, pose_of)},
+          {"localisation.png",
+           png_from_image(layered_map_picture(grid, {.scans = scans, .closures = {}}))},
+          {"run.json", run_json_of(log, map_name, pose_of)}};
 }
 
 }  // namespace setsquare::app

@@ -3,9 +3,9 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "apps/setsquare/outputs/output_set.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/pipeline/localize_log.hpp"
 
@@ -14,12 +14,14 @@ namespace setsquare::app {
 /// The files that `setsquare localize` writes.
 [[nodiscard]] std::vector<std::string> localize_output_names();
 
+/// A file's name and bytes.
+using NamedBytes = std::pair<std::string, std::string>;
+
 /// trajectory.tum (of the scans that were localised), localisation.tsv (a row per scan),
-/// localisation.png (the map and the way) and run.json. Throws FileError.
-void write_localize_outputs(OutputSet& outputs,
-                            const LocalizedLog& log,
-                            const OccupancyGrid& grid,
-                            const std::string& map_name,
-                            PoseOf pose_of);
+/// localisation.png (the map and the way) and run.json.
+[[nodiscard]] std::vector<NamedBytes> localize_outputs(const LocalizedLog& log,
+                                                       const OccupancyGrid& grid,
+                                                       const std::string& map_name,
+                                                       PoseOf pose_of);
 
 }  // namespace setsquare::app

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/live/localizing_session.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "setsquare/core/error.hpp"
+#include "tests/live/room_log.hpp"
+
+namespace setsquare::localizing_session_test {
+
+using live_test::RoomLog;
+
+class LocalizedRoom : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    RoomLog log;
+    grid_ = std::make_unique<OccupancyGrid>(occupancy_grid(map_log(log, "room").map));
+  }
+  static void TearDownTestSuite() { grid_.reset(); }
+
+  static RoomLog other_log(std::function<void(std::size_t)> before = {}) {
+    return RoomLog(std::move(before), {{4.0, 3.0}, {2.0, 2.0}, {1.5, 7.0}, {3.0, 3.0}});
+  }
+
+  static inline std::unique_ptr<OccupancyGrid> grid_;
+};
+
+TEST_F(LocalizedRoom, GivesWhatLocalizeLogGives) {
+  RoomLog log = other_log();
+  RoomLog same = other_log();
+  LocalizingSession session("other", *grid_, {}, {});
+  const LocalizedLog live = session.run(log);
+  const LocalizedLog localized =
+      localize_log(same, "other", std::make_shared<const KnownMap>(*grid_));
+  ASSERT_EQ(live.poses.size(), localized.poses.size());
+  for (std::size_t i = 0; i < live.poses.size(); ++i) {
+    ASSERT_EQ(live.poses[i].status, localized.poses[i].status) << i;
+    ASSERT_EQ(live.poses[i].T_map_base, localized.poses[i].T_map_base) << i;
+  }
+  EXPECT_EQ(live.name, localized.name);
+  EXPECT_EQ(live.format, localized.format);
+  EXPECT_EQ(live.sensor, localized.sensor);
+  EXPECT_EQ(session.counts().num_localised, counts_of(localized).num_localised);
+  EXPECT_EQ(session.report().doing, "localised");
+}
+
+TEST_F(LocalizedRoom, TheWayIsToldAndAPosePerScan) {
+  RoomLog log = other_log();
+  std::size_t num_poses = 0;
+  Trajectory way;
+  LocalizingSession session("other",
+                            *grid_,
+                            {.way_period_s = 1e-6, .keeps_poses = false},
+                            {.on_pose = [&](const LogRecord&, const LivePose&) { ++num_poses; },
+                             .on_way = [&](const Trajectory& told) { way = told; }});
+  EXPECT_TRUE(session.run(log).poses.empty());
+  EXPECT_EQ(num_poses, log.num_scans());
+  ASSERT_GT(way.size(), 50U);
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    EXPECT_LT((way[i].pose.translation() - way[i - 1].pose.translation()).norm(), 0.3) << i;
+  }
+}
+
+TEST_F(LocalizedRoom, AResetForgetsWhereItWas) {
+  LocalizingSession* running = nullptr;
+  std::vector<LivePose> poses;
+  RoomLog log = other_log([&](std::size_t scan) {
+    if (scan == 60) running->reset();
+  });
+  LocalizingSession session(
+      "other", *grid_, {}, {.on_pose = [&](const LogRecord&, const LivePose& pose) {
+        poses.push_back(pose);
+      }});
+  running = &session;
+  (void)session.run(log);
+  EXPECT_FALSE(poses[60].is_placed);
+  EXPECT_EQ(session.report().doing, "localised");
+}
+
+// Law: whatever is said, the scans decide.
+TEST_F(LocalizedRoom, APoseThatIsSaidWronglyIsDropped) {
+  LocalizingSession* running = nullptr;
+  RoomLog log = other_log([&](std::size_t scan) {
+    if (scan != 40) return;
+    EXPECT_TRUE(running->set_pose({2.0, 7.5, 1.0}));  // in the other wing
+  });
+  RoomLog same = other_log();
+  LocalizingSession session("other", *grid_, {}, {});
+  running = &session;
+  const std::vector<LocalisedPose> said = session.run(log).poses;
+  const std::vector<LocalisedPose> unsaid =
+      localize_log(same, "other", std::make_shared<const KnownMap>(*grid_)).poses;
+  ASSERT_EQ(said.size(), unsaid.size());
+  EXPECT_EQ(said.back().status, LocalisationStatus::kLocalised);
+  const Pose2 apart = unsaid.back().T_map_base.inverse() * said.back().T_map_base;
+  EXPECT_LT(std::hypot(apart.x_m, apart.y_m), 0.05);
+}
+
+TEST_F(LocalizedRoom, AMapWithoutWallsIsRefused) {
+  const OccupancyGrid nothing({}, 0.05, 20, 20);
+  EXPECT_THROW(LocalizingSession("other", nothing, {}, {}), ParameterError);
+  LocalizingSession::Options options;
+  options.localising.log.sensor = "all";
+  EXPECT_THROW(LocalizingSession("other", *grid_, options, {}), ParameterError);
+}
+
+}  // namespace setsquare::localizing_session_test
