@@ -225,7 +225,7 @@ void GrowingMap::close_while_growing() {
   if (track_.size() < next_closing(num_closed_, params_)) return;
   const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
   close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
-  if (params_.forgetting.is_on) forget_known(headings.heading_rad);
+  if (params_.forgetting.is_on && !is_map_coming_) forget_known(headings.heading_rad);
   num_closed_ = track_.size();
 }
 
@@ -268,11 +268,13 @@ bool GrowingMap::holds(const Map& map, const MapSession& session) const {
 void GrowingMap::add(const Map& map) {
   require_track(map);
   const bool is_first = sessions_.empty();
+  is_map_coming_ = true;
   for (const MapSession& session : map.sessions) {
     if (holds(map, session)) continue;
     add_session(map, session);
     if (is_first) sessions_.back().recency = session.recency;
   }
+  is_map_coming_ = false;
   is_session_waiting_ = true;
   num_forgotten_before_ += map.num_forgotten;
   num_forgotten_ = num_forgotten_before_;

@@ -98,6 +98,7 @@ class GrowingMap {
   std::optional<SensorReports> known_sensors_;
   std::vector<MapSession> sessions_;
   bool is_session_waiting_ = true;
+  bool is_map_coming_ = false;  ///< A map's sessions are being added: they stay as they are.
   std::vector<TrackedScan> scans_;
   std::vector<KeptScan> kept_scans_;
   KeyframeTrack track_;

@@ -129,6 +129,20 @@ TEST(Forgetting, KeepsWhatShowsThatWallsChanged) {
   EXPECT_TRUE(std::ranges::any_of(map.keyframes, is_beside_it));
 }
 
+TEST(Forgetting, AMapThatIsGoneOnWithStaysAsItIs) {
+  const Map grown = Patrol(7).mapped(false);
+  MapperParams params;
+  params.audit.is_on = false;
+  const Map again = Mapper(grown, params).finish();
+  EXPECT_EQ(again.num_forgotten, 0U);
+  EXPECT_EQ(again.keyframes, grown.keyframes);
+  const Map patrolled = Patrol(7).mapped(true);
+  ASSERT_GT(patrolled.num_forgotten, 0U);
+  const Map patrolled_again = Mapper(patrolled, params).finish();
+  EXPECT_EQ(patrolled_again.num_forgotten, patrolled.num_forgotten);
+  EXPECT_EQ(patrolled_again.keyframes, patrolled.keyframes);
+}
+
 // --- The rule, without scans ---------------------------------------------------------------------
 
 /// Keyframes at these poses, a scan between each two.
