@@ -4,6 +4,10 @@
 #include <csignal>
 #include <exception>
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include "apps/setsquare/command_line/parse.hpp"
 #include "apps/setsquare/subcommands.hpp"
 
@@ -29,6 +33,11 @@ void add_subcommands(CLI::App& application) {
 }  // namespace
 
 int main(int argc, char** argv) {
+#ifdef __GLIBC__
+  // Large pieces of memory go back to the system once they are freed. By default glibc raises this
+  // bound to the largest piece seen, and what lies between the small ones then stays.
+  mallopt(M_MMAP_THRESHOLD, 128 * 1024);
+#endif
   // A file that grows beyond the limit (ulimit -f) is an error of writing, reported like others.
   std::signal(SIGXFSZ, SIG_IGN);
   try {

@@ -19,16 +19,11 @@ bool is_grey(const Image& image) {
   });
 }
 
-/// The pixels as libpng takes them: one byte per pixel in grey, else three.
-std::vector<std::uint8_t> bytes_of(const Image& image, bool grey) {
+/// The pixels in grey, one byte each.
+std::vector<std::uint8_t> grey_bytes_of(const Image& image) {
   std::vector<std::uint8_t> bytes;
-  bytes.reserve(image.pixels().size() * (grey ? 1 : 3));
-  for (const Color pixel : image.pixels()) {
-    bytes.push_back(pixel.red);
-    if (grey) continue;
-    bytes.push_back(pixel.green);
-    bytes.push_back(pixel.blue);
-  }
+  bytes.reserve(image.pixels().size());
+  for (const Color pixel : image.pixels()) bytes.push_back(pixel.red);
   return bytes;
 }
 
@@ -36,7 +31,11 @@ std::vector<std::uint8_t> bytes_of(const Image& image, bool grey) {
 
 std::string png_from_image(const Image& image) {
   const bool grey = is_grey(image);
-  const std::vector<std::uint8_t> bytes = bytes_of(image, grey);
+  const std::vector<std::uint8_t> grey_bytes =
+      grey ? grey_bytes_of(image) : std::vector<std::uint8_t>();
+  static_assert(sizeof(Color) == 3, "libpng takes the pixels as they are");
+  const void* const bytes =
+      grey ? static_cast<const void*>(grey_bytes.data()) : image.pixels().data();
   png_image header = {};
   header.version = PNG_IMAGE_VERSION;
   header.width = static_cast<png_uint_32>(image.width_px());
@@ -45,8 +44,7 @@ std::string png_from_image(const Image& image) {
   header.flags = PNG_IMAGE_FLAG_FAST;
   png_alloc_size_t num_bytes = PNG_IMAGE_PNG_SIZE_MAX(header);
   std::string file(num_bytes, '\0');
-  if (png_image_write_to_memory(&header, file.data(), &num_bytes, 0, bytes.data(), 0, nullptr) ==
-      0) {
+  if (png_image_write_to_memory(&header, file.data(), &num_bytes, 0, bytes, 0, nullptr) == 0) {
     throw Error(std::string("PNG encoding failed: ") + header.message);
   }
   file.resize(num_bytes);

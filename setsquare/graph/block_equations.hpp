@@ -5,12 +5,27 @@
 #include <algorithm>
 #include <cstddef>
 #include <Eigen/Core>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
 #include <utility>
 #include <vector>
 
 namespace setsquare {
+
+/// Eigen's minimum degree ordering of a symmetric matrix that is stored in full. Eigen's own makes
+/// the sum with the transposed matrix first, values and all: several times the memory for the same
+/// order.
+class SymmetricOrdering {
+ public:
+  using Permutation = Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int>;
+  using PermutationType = Permutation;
+
+  void operator()(const Eigen::SparseMatrix<double>& full, Permutation& order) const {
+    const Eigen::SparseMatrix<signed char> pattern = full.cast<signed char>();
+    Eigen::AMDOrdering<int>()(pattern.selfadjointView<Eigen::Lower>(), order);
+  }
+};
 
 /// Normal equations H x = b of blocks of unknowns, `size` in each, that are coupled in given pairs:
 /// the sparse matrix' pattern and the order of elimination (minimum degree) are found once, its
@@ -91,7 +106,7 @@ class BlockEquations {
   void lay_out(std::size_t num_blocks, const std::vector<Pair>& pairs);
 
   Eigen::SparseMatrix<double> matrix_;  ///< Lower triangle.
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> solver_;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, SymmetricOrdering> solver_;
   std::vector<Place> places_;
 };
 

@@ -142,6 +142,8 @@ struct Map {
   OdometryReport odometry;                     ///< Whether it moved as the scans show.
   SweepReport sweep;                           ///< How long the leading scanner takes for a scan.
   std::size_t num_with_odometry = 0;           ///< Scans that came with a pose by wheel odometry.
+  /// Keyframes of places seen before that showed nothing new: they are not among `keyframes`.
+  std::size_t num_forgotten = 0;
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
   /// weights, the headings measured; empty by PaperMapper.
   PoseGraph graph;

@@ -14,6 +14,7 @@ double step_m(const Map& map, std::size_t i) {
 void count_scans(const Map& map, MapSummary& summary) {
   summary.num_scans = map.scans.size();
   summary.num_keyframes = map.keyframes.size();
+  summary.num_forgotten = map.num_forgotten;
   for (std::size_t i = 0; i < map.scans.size(); ++i) {
     const TrackStatus status = map.scans[i].status;
     summary.num_tracked += status == TrackStatus::kTracked;

@@ -13,6 +13,7 @@ namespace setsquare {
 struct MapSummary {
   std::size_t num_scans = 0;       ///< Mapped, placed or not.
   std::size_t num_keyframes = 0;   ///< Kept to match with.
+  std::size_t num_forgotten = 0;   ///< Keyframes that showed nothing new.
   std::size_t num_tracked = 0;     ///< Scans of each status.
   std::size_t num_degenerate = 0;  ///< The walls left a direction open.
   std::size_t num_recovered = 0;   ///< Found again after they were lost.

@@ -12,6 +12,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/headings/proposals.hpp"
+#include "setsquare/mapping/forgetting.hpp"
 
 namespace setsquare {
 namespace {
@@ -107,7 +108,10 @@ std::size_t num_kept_before(std::span<const KeptScan> kept, std::size_t index) {
 }  // namespace
 
 GrowingMap::GrowingMap(const MapperParams& params)
-    : params_(params), turn_checks_(params.turns), closer_(params.closing) {}
+    : params_(params),
+      turn_checks_(params.turns),
+      closer_(params.closing),
+      known_(params.forgetting) {}
 
 // --- Sessions ------------------------------------------------------------------------------------
 
@@ -132,7 +136,11 @@ void GrowingMap::forget_last_session() {
   std::erase_if(track_.session_begins, [&](std::size_t k) { return k >= num_keyframes; });
   shares_of_place_.resize(num_keyframes);
   evidence_.resize(num_keyframes);
+  T_odom_tracked_ = {};
   if (num_closed_ <= num_keyframes) return;
+  known_ = KnownKeyframes(params_.forgetting);
+  hung_scans_.clear();
+  num_forgotten_ = num_forgotten_before_;
   turn_checks_ = TurnChecks(params_.turns);
   closer_ = LoopCloser(params_.closing);
   num_closed_ = 0;
@@ -141,6 +149,7 @@ void GrowingMap::forget_last_session() {
 void GrowingMap::open_session() {
   if (is_last_session_empty()) forget_last_session();
   is_session_waiting_ = false;
+  T_odom_tracked_ = {};
   std::size_t recency = 0;
   for (const MapSession& session : sessions_) recency = std::max(recency, session.recency + 1);
   sessions_.push_back({.first_scan = scans_.size(), .recency = recency, .search = {}});
@@ -159,6 +168,7 @@ void GrowingMap::add(TrackSteps&& steps) {
 void GrowingMap::add(TrackStep&& step) {
   if (is_session_waiting_) open_session();
   const std::size_t index = scans_.size();
+  if (T_odom_tracked_ != Pose2{}) take_drift_off(step);
   scans_.push_back(step.scan);
   ++sessions_.back().num_scans;
   if (step.keyframe && step.keyframe->keyframe->scan_index != index) {
@@ -166,13 +176,20 @@ void GrowingMap::add(TrackStep&& step) {
     Keyframe numbered = *step.keyframe->keyframe;
     numbered.scan_index = index;
     step.keyframe->keyframe = std::make_shared<const Keyframe>(std::move(numbered));
-    step.kept = {step.keyframe->keyframe, &step.keyframe->keyframe->scan};
   }
   if (step.kept) kept_scans_.push_back({index, std::move(step.kept)});
   if (!step.keyframe) return;
   const bool is_restart = step.scan.tracked.is_restart;
   const bool is_tied = step.keyframe->motion.has_odometry;
   add_keyframe(std::move(*step.keyframe), {is_restart, is_restart && !is_tied});
+}
+
+void GrowingMap::take_drift_off(TrackStep& step) const {
+  move_to_odom(T_odom_tracked_ * step.scan.tracked.T_odom_sensor, step.scan);
+  if (!step.keyframe) return;
+  TrackedKeyframe& tracked = *step.keyframe;
+  tracked.keyframe = moved_to_odom(
+      *tracked.keyframe, T_odom_tracked_ * tracked.keyframe->T_odom_sensor, tracked.motion);
 }
 
 void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
@@ -198,7 +215,7 @@ void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
   evidence_.push_back({.tracked_heading_rad = tracked.keyframe->T_odom_sensor.theta_rad,
                        .step_sigma_rad = std::sqrt(tracked.motion.rotation_rad2),
                        .proposals = heading_proposals(
-                           tracked.keyframe->scan, params_.direction, params_.confident_margin)});
+                           *tracked.keyframe->scan, params_.direction, params_.confident_margin)});
   share_place(tracked.share_of_place, evidence_.back());
   close_while_growing();
 }
@@ -206,13 +223,34 @@ void GrowingMap::add_keyframe(TrackedKeyframe tracked, Begins begins) {
 void GrowingMap::close_while_growing() {
   if (!track_.session_begins.empty()) return;
   if (track_.size() < next_closing(num_closed_, params_)) return;
-  num_closed_ = track_.size();
   try {
     const FusedHeadings headings = turn_checks_.fuse(track_, evidence_, params_.heading);
     close_loops(track_, headings.heading_rad, track_.size(), params_, closer_);
+    if (params_.forgetting.is_on && !is_map_coming_) forget_known(headings.heading_rad);
   } catch (const Error&) {
     // Tracking goes on; MapMaker tries again, and tells where it cannot.
   }
+  num_closed_ = track_.size();
+}
+
+void GrowingMap::forget_known(std::span<const double> headings_rad) {
+  const PoseGraph graph = robust_graph(track_, headings_rad, closer_, params_);
+  known_.examine(track_, graph.T_map_node, params_.num_threads);
+  const std::vector<std::size_t> kept =
+      keyframes_to_keep(track_, known_.places(), revisits_in(graph, closer_), params_.forgetting);
+  if (kept.size() == track_.size()) return;
+  num_forgotten_ += track_.size() - kept.size();
+  hang_forgotten(track_, kept, known_.places(), hung_scans_);
+  const std::vector<Pose2> T_map_sensor = poses_of_known(track_, known_.places(), graph.T_map_node);
+  const Pose2 T_new_old =
+      forget_keyframes(kept,
+                       T_map_sensor,
+                       params_.forgetting,
+                       {scans_, kept_scans_, track_, shares_of_place_, evidence_});
+  T_odom_tracked_ = T_new_old * T_odom_tracked_;
+  turn_checks_.keep_only(kept);
+  closer_.keep_only(kept, track_);
+  known_.keep_only(kept);
 }
 
 // --- Maps that are gone on with ------------------------------------------------------------------
@@ -234,12 +272,16 @@ bool GrowingMap::holds(const Map& map, const MapSession& session) const {
 void GrowingMap::add(const Map& map) {
   require_track(map);
   const bool is_first = sessions_.empty();
+  is_map_coming_ = true;
   for (const MapSession& session : map.sessions) {
     if (holds(map, session)) continue;
     add_session(map, session);
     if (is_first) sessions_.back().recency = session.recency;
   }
+  is_map_coming_ = false;
   is_session_waiting_ = true;
+  num_forgotten_before_ += map.num_forgotten;
+  num_forgotten_ = num_forgotten_before_;
   if (known_sensors_) {
     known_sensors_->num_with_odometry += map.num_with_odometry;
   } else {
@@ -275,7 +317,9 @@ void GrowingMap::add_session(const Map& map, const MapSession& session) {
   }
 }
 
-void GrowingMap::add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept) {
+void GrowingMap::add_keyframes(const Map& map,
+                               const MapSession& session,
+                               const ScansByIndex& kept) {
   const std::size_t first = keyframe_at(map, session.first_scan);
   const std::size_t end = keyframe_at(map, session.first_scan + session.num_scans);
   std::vector<KeyframePtr> keyframes(end - first);
@@ -283,13 +327,12 @@ void GrowingMap::add_keyframes(const Map& map, const MapSession& session, ScansB
     const std::size_t scan_index = map.keyframes[first + i];
     const auto whole = kept.find(scan_index);
     if (whole == kept.end()) return;
-    const Scan& scan = *whole->second;
-    auto surfaces = scan_surfaces(scan, params_.tracker.surfaces, params_.tracker.image);
+    auto surfaces = scan_surfaces(*whole->second, params_.tracker.surfaces, params_.tracker.image);
     keyframes[i] = std::make_shared<const Keyframe>(
         Keyframe{.scan_index = scan_index - session.first_scan + sessions_.back().first_scan,
                  .T_odom_sensor = map.track.T_odom_sensor[scan_index],
                  .T_odom_body = map.track.motions[first + i].T_odom_body,
-                 .scan = scan,
+                 .scan = whole->second,
                  .surfaces = std::move(surfaces)});
   });
   const std::vector<std::size_t> pieces = pieces_of_keyframes(map);
@@ -297,7 +340,6 @@ void GrowingMap::add_keyframes(const Map& map, const MapSession& session, ScansB
   for (std::size_t k = first; k < end; ++k) {
     const KeyframePtr& keyframe = keyframes[k - first];
     if (!keyframe) throw ParameterError("map", "does not keep the scan of a keyframe");
-    kept[map.keyframes[k]] = {keyframe, &keyframe->scan};
     MotionCovariance motion = motions[k].covariance;
     Begins begins;
     if (k > first) {
@@ -356,19 +398,23 @@ Map GrowingMap::make(const SensorReports& sensors) const {
                             .shares_of_place = shares_of_place_,
                             .sessions = sessions});
     write_sensors(told, map);
+    map.num_forgotten = num_forgotten_;
     return map;
   }
   const TrackedLog log{.scans = scans,
                        .kept_scans = kept,
                        .track = track_,
                        .shares_of_place = shares_of_place_,
+                       .hung_scans = hung_scans_,
                        .sessions = sessions,
                        .anchors = anchors_,
                        .evidence = evidence_,
                        .turn_checks = turn_checks_,
                        .closer = closer_,
                        .add_sensors = [&](Map& map) { write_sensors(told, map); }};
-  return MapMaker(log, params_).make();
+  Map map = MapMaker(log, params_).make();
+  map.num_forgotten = num_forgotten_;
+  return map;
 }
 
 }  // namespace setsquare

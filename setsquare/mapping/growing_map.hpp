@@ -6,11 +6,13 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "setsquare/headings/evidence.hpp"
 #include "setsquare/map/map.hpp"
 #include "setsquare/mapping/keyframe_track.hpp"
+#include "setsquare/mapping/known_keyframes.hpp"
 #include "setsquare/mapping/log_tracker.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
@@ -26,7 +28,10 @@ namespace setsquare {
 ///
 /// 1. Headings: each keyframe's walls measure its heading in the building.
 /// 2. Loops: as the track grows, places near each other are compared (close_loops).
-/// 3. The map of all so far, when asked for (MapMaker).
+/// 3. Memory: of places that several visits have covered, keyframes that show nothing new are
+///    forgotten (KnownKeyframes), so that it is bounded by the building and not by the time. Of
+///    sessions of maps that are gone on with, none.
+/// 4. The map of all so far, when asked for (MapMaker).
 ///
 /// What it does depends on the steps alone, not on when they come: a map that grows behind a robot
 /// is the one that a log gives.
@@ -66,17 +71,20 @@ class GrowingMap {
   };
 
   void add(TrackStep&& step);
+  /// Drift that forgetting has taken off what came before.
+  void take_drift_off(TrackStep& step) const;
   /// Of a scan that is here. Where several scanners leave keyframes, each is one of as many that
   /// show a place: the same walls (share_place) and one step of the track.
   void add_keyframe(TrackedKeyframe tracked, Begins begins);
   /// Closes loops while one log is tracked; where there are several, all are closed at the end.
   void close_while_growing();
+  /// `headings_rad`: one per keyframe.
+  void forget_known(std::span<const double> headings_rad);
 
   [[nodiscard]] bool holds(const Map& map, const MapSession& session) const;
   void add_session(const Map& map, const MapSession& session);
-  /// `kept`: the session's; those of keyframes share the keyframe's memory afterwards. Throws
-  /// ParameterError where one is missing.
-  void add_keyframes(const Map& map, const MapSession& session, ScansByIndex& kept);
+  /// `kept`: the session's. Throws ParameterError where a keyframe's is missing.
+  void add_keyframes(const Map& map, const MapSession& session, const ScansByIndex& kept);
 
   /// The session that waits for its first scan begins.
   void open_session();
@@ -90,6 +98,7 @@ class GrowingMap {
   std::optional<SensorReports> known_sensors_;
   std::vector<MapSession> sessions_;
   bool is_session_waiting_ = true;
+  bool is_map_coming_ = false;  ///< A map's sessions are being added: they stay as they are.
   std::vector<TrackedScan> scans_;
   std::vector<KeptScan> kept_scans_;
   KeyframeTrack track_;
@@ -98,7 +107,12 @@ class GrowingMap {
   std::vector<AnchoredKeyframe> anchors_;
   TurnChecks turn_checks_;
   LoopCloser closer_;
-  std::size_t num_closed_ = 0;  ///< Keyframes when loops were last looked for.
+  KnownKeyframes known_;
+  std::vector<HungScan> hung_scans_;      ///< Of the keyframes that were forgotten, in their order.
+  std::size_t num_forgotten_ = 0;         ///< Keyframes, ...
+  std::size_t num_forgotten_before_ = 0;  ///< ... and of these, by the maps that are gone on with.
+  Pose2 T_odom_tracked_;                  ///< From tracking's frame: forgetting takes drift off.
+  std::size_t num_closed_ = 0;            ///< Keyframes when loops were last looked for.
 };
 
 }  // namespace setsquare

@@ -51,8 +51,17 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
 
 std::size_t KeyframeTrack::num_scanners() const {
   std::set<std::uint32_t> scanners;
-  for (const KeyframePtr& keyframe : keyframes) scanners.insert(keyframe->scan.scanner);
+  for (const KeyframePtr& keyframe : keyframes) scanners.insert(keyframe->scan->scanner);
   return std::max<std::size_t>(1, scanners.size());
+}
+
+std::size_t keyframe_of_scan(const KeyframeTrack& track, std::size_t scan_index) {
+  const auto found =
+      std::ranges::lower_bound(track.keyframes, scan_index, {}, [](const KeyframePtr& keyframe) {
+        return keyframe->scan_index;
+      });
+  assert(found != track.keyframes.end() && (*found)->scan_index == scan_index);
+  return static_cast<std::size_t>(found - track.keyframes.begin());
 }
 
 PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> headings_rad) {

@@ -36,6 +36,16 @@ struct KeyframeTrack {
   [[nodiscard]] std::size_t num_scanners() const;
 };
 
+/// The keyframe of a scan, which has one.
+[[nodiscard]] std::size_t keyframe_of_scan(const KeyframeTrack& track, std::size_t scan_index);
+
+/// A scan that stands where it was seen from a keyframe.
+struct HungScan {
+  std::size_t scan_index = 0;
+  std::size_t reference_scan = 0;  ///< The keyframe's.
+  Pose2 T_reference_this;
+};
+
 /// The track as a pose graph with odometry constraints only. The tracked motion is laid out along
 /// the headings: each displacement is turned by the drift half-way (heading less tracked heading).
 /// Poses are those of the sensors; the first stands at the origin.

@@ -87,7 +87,7 @@ TrackedPose LogTracker::place_cleared(const Scan& scan,
     const KeyframePtr& keyframe = tracker_.submap().back();
     const double share_of_place = 1.0 / static_cast<double>(tracker_.num_scanners());
     step.keyframe = {keyframe, uncertainty_.take(share_of_place), share_of_place};
-    step.kept = {keyframe, &keyframe->scan};
+    step.kept = keyframe->scan;
   } else if (is_kept) {
     const std::optional<Scan>& deskewed = tracker_.deskewed_scan();
     step.kept = std::make_shared<const Scan>(deskewed ? *deskewed : scan);

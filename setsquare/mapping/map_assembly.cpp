@@ -25,17 +25,33 @@ std::vector<MapSession> sessions_of(const MapParts& parts) {
   return {{.first_scan = 0, .num_scans = parts.scans.size(), .search = {}}};
 }
 
+/// Appends the scans that hang on keyframes and come before `end_scan`, from the `next` one on.
+void append_hung(const MapParts& parts,
+                 std::size_t end_scan,
+                 std::size_t first_scan,
+                 std::size_t& next,
+                 std::vector<MappedKeyframe>& keyframes) {
+  for (; next < parts.hung_scans.size() && parts.hung_scans[next].scan_index < end_scan; ++next) {
+    const auto& [scan_index, reference_scan, T_reference_this] = parts.hung_scans[next];
+    const std::size_t reference = keyframe_of_scan(parts.track, reference_scan);
+    keyframes.push_back(
+        {scan_index - first_scan, parts.graph.T_map_node[reference] * T_reference_this, false});
+  }
+}
+
 /// Session by session: what one saw says nothing of where another one's scans lie.
 std::vector<Pose2> poses_of_scans(const MapParts& parts, const std::vector<MapSession>& sessions) {
   const KeyframeTrack& track = parts.track;
   std::vector<Pose2> T_map_sensor;
   T_map_sensor.reserve(parts.scans.size());
   std::size_t k = 0;
+  std::size_t next_hung = 0;
   for (const MapSession& session : sessions) {
     const std::size_t end = session.first_scan + session.num_scans;
     std::vector<MappedKeyframe> keyframes;
     for (; k < track.size() && track.keyframes[k]->scan_index < end; ++k) {
       const bool begins_piece = k > 0 && track.pieces[k] != track.pieces[k - 1];
+      append_hung(parts, track.keyframes[k]->scan_index, session.first_scan, next_hung, keyframes);
       keyframes.push_back({track.keyframes[k]->scan_index - session.first_scan,
                            parts.graph.T_map_node[k],
                            begins_piece});
@@ -144,8 +160,8 @@ std::vector<MappedClosure> mapped_closures(const KeyframeTrack& track,
   std::vector<MappedClosure> closures;
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const ComparedPlaces& places = compared[i];
-    const Scan& scan_i = track.keyframes[places.from]->scan;
-    const Scan& scan_j = track.keyframes[places.to]->scan;
+    const Scan& scan_i = *track.keyframes[places.from]->scan;
+    const Scan& scan_j = *track.keyframes[places.to]->scan;
     MappedClosure mapped;
     mapped.scan_i = track.keyframes[places.from]->scan_index;
     mapped.scan_j = track.keyframes[places.to]->scan_index;
@@ -184,18 +200,18 @@ std::vector<TrackPiece> pieces_of(const KeyframeTrack& track,
 PoseGraph graph_of_base(const KeyframeTrack& track, const PoseGraph& graph) {
   PoseGraph of_base = graph;
   for (std::size_t k = 0; k < track.size(); ++k) {
-    of_base.T_map_node[k] = graph.T_map_node[k] * track.keyframes[k]->scan.T_base_sensor.inverse();
+    of_base.T_map_node[k] = graph.T_map_node[k] * track.keyframes[k]->scan->T_base_sensor.inverse();
   }
   for (Constraint& constraint : of_base.constraints) {
-    const Pose2& from = track.keyframes[constraint.from]->scan.T_base_sensor;
-    const Pose2& to = track.keyframes[constraint.to]->scan.T_base_sensor;
+    const Pose2& from = track.keyframes[constraint.from]->scan->T_base_sensor;
+    const Pose2& to = track.keyframes[constraint.to]->scan->T_base_sensor;
     constraint.information =
         information_of_base(constraint.information, constraint.T_from_to, from, to);
     constraint.T_from_to = from * constraint.T_from_to * to.inverse();
   }
   for (HeadingMeasurement& heading : of_base.headings) {
     heading.heading_rad = wrap_to_pi(heading.heading_rad -
-                                     track.keyframes[heading.node]->scan.T_base_sensor.theta_rad);
+                                     track.keyframes[heading.node]->scan->T_base_sensor.theta_rad);
   }
   return of_base;
 }

@@ -30,7 +30,9 @@ struct MapParts {
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
   std::span<const double> shares_of_place = {};  ///< One per keyframe.
-  std::span<const MapSession> sessions = {};     ///< One of all scans where there are none.
+  /// In their order: scans of keyframes that were forgotten.
+  std::span<const HungScan> hung_scans = {};
+  std::span<const MapSession> sessions = {};  ///< One of all scans where there are none.
   FusedHeadings headings = {};
   std::span<const ComparedPlaces> compared = {};
   std::vector<bool> is_joined = {};  ///< One per piece of the track.

@@ -91,6 +91,14 @@ void move_by(const Pose2& T, PoseGraph& graph, FusedHeadings& headings) {
   }
 }
 
+/// Whether a constraint of graph_along() is a closure that establishes that two keyframes see the
+/// same place.
+bool is_revisit(const Constraint& constraint, const LoopCloser& closer) {
+  return constraint.kind == ConstraintKind::kLoopClosure &&
+         constraint.weight >= kMinRevisitWeight &&
+         closer.compared()[constraint.source].verdict.axes == ClosureAxes::kXY;
+}
+
 /// The track laid out along its headings, with the closures accepted so far; the source of a
 /// closure's constraint is its index in LoopCloser::compared().
 PoseGraph graph_along(const KeyframeTrack& track,
@@ -123,6 +131,24 @@ void close_loops(const KeyframeTrack& track,
   closer.extend(track, num_keyframes, graph.T_map_node, params.num_threads);
 }
 
+PoseGraph robust_graph(const KeyframeTrack& track,
+                       std::span<const double> headings_rad,
+                       const LoopCloser& closer,
+                       const MapperParams& params) {
+  PoseGraph graph = graph_along(track, headings_rad, closer);
+  loosen_across(track.size() - 1, false, graph);
+  solve_robustly(graph, {}, params.robust);
+  return graph;
+}
+
+std::vector<Constraint> revisits_in(const PoseGraph& graph, const LoopCloser& closer) {
+  std::vector<Constraint> revisits;
+  for (const Constraint& constraint : graph.constraints) {
+    if (is_revisit(constraint, closer)) revisits.push_back(constraint);
+  }
+  return revisits;
+}
+
 std::size_t next_closing(std::size_t num_closed, const MapperParams& params) {
   const auto growth =
       static_cast<std::size_t>(params.closing_growth * static_cast<double>(num_closed));
@@ -150,6 +176,7 @@ Map MapMaker::track_alone(const std::string& reason) const {
                           .kept_scans = log_.kept_scans,
                           .track = log_.track,
                           .shares_of_place = log_.shares_of_place,
+                          .hung_scans = log_.hung_scans,
                           .sessions = log_.sessions,
                           .is_joined = is_largest,
                           .graph = pose_graph_of(log_.track, headings_rad)});
@@ -224,6 +251,7 @@ Map MapMaker::map_of(const Closed& closed) const {
                           .kept_scans = log_.kept_scans,
                           .track = log_.track,
                           .shares_of_place = log_.shares_of_place,
+                          .hung_scans = log_.hung_scans,
                           .sessions = log_.sessions,
                           .headings = headings,
                           .compared = closed.closer.compared(),
@@ -330,16 +358,13 @@ std::vector<Pose2> MapMaker::registered_poses(const LoopCloser& closer,
   // closures.
   PoseGraph to_register{
       .T_map_node = graph.T_map_node, .constraints = {}, .headings = graph.headings};
-  std::vector<Constraint> revisits;
+  const std::vector<Constraint> revisits = revisits_in(graph, closer);
   for (const Constraint& constraint : graph.constraints) {
-    const bool is_closure = constraint.kind == ConstraintKind::kLoopClosure;
-    if (is_closure && constraint.weight >= kMinRevisitWeight &&
-        closer.compared()[constraint.source].verdict.axes == ClosureAxes::kXY) {
-      revisits.push_back(constraint);
-      continue;
-    }
+    if (is_revisit(constraint, closer)) continue;
     to_register.constraints.push_back(constraint);
-    if (!is_closure) to_register.constraints.back().weight *= kTrackedMotionWeight;
+    if (constraint.kind != ConstraintKind::kLoopClosure) {
+      to_register.constraints.back().weight *= kTrackedMotionWeight;
+    }
   }
   register_keyframes(log_.track, revisits, to_register, params_.registration, params_.num_threads);
   return std::move(to_register.T_map_node);

@@ -30,6 +30,18 @@ void close_loops(const KeyframeTrack& track,
                  const MapperParams& params,
                  LoopCloser& closer);
 
+/// The track laid out along its headings, positions and weights of the closures accepted so far by
+/// graduated non-convexity. The source of a closure's constraint is its index in
+/// LoopCloser::compared().
+[[nodiscard]] PoseGraph robust_graph(const KeyframeTrack& track,
+                                     std::span<const double> headings_rad,
+                                     const LoopCloser& closer,
+                                     const MapperParams& params);
+
+/// The closures that establish that two keyframes see the same place: of both axes, and not
+/// outvoted. `graph`: of robust_graph().
+[[nodiscard]] std::vector<Constraint> revisits_in(const PoseGraph& graph, const LoopCloser& closer);
+
 /// Keyframes at which loops are looked for again.
 [[nodiscard]] std::size_t next_closing(std::size_t num_closed, const MapperParams& params);
 
@@ -46,6 +58,7 @@ struct TrackedLog {
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
   std::span<const double> shares_of_place;  ///< One per keyframe.
+  std::span<const HungScan> hung_scans;     ///< Of forgotten keyframes, in their order.
   std::span<const MapSession> sessions;
   /// The map's frame is the one in which these lie, as well as can be, where they lay. Empty: the
   /// first keyframe stands at the origin.

@@ -32,8 +32,10 @@ struct MapperParams;  // setsquare/mapping/mapper_params.hpp; every default work
 ///    keyframes registered with their neighbours (register_keyframes), scans laid out between them
 ///    (assemble_track). Loops behind bare corridors are closed wherever they lie
 ///    (closures_anywhere), and the map is audited (MapMaker).
-/// The map's axes are the building's. Memory grows with the log: a pose for every scan, and the
-/// scans that Map::kept_scans names.
+/// The map's axes are the building's. Memory grows with the log by a pose and its evidence for
+/// every scan; the scans that Map::kept_scans names, and all else, grow with the building:
+/// keyframes of places that several visits have covered are forgotten where they show nothing new
+/// (ForgettingParams).
 class Mapper {
  public:
   /// With every parameter at its default.

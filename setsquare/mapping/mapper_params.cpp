@@ -6,6 +6,22 @@
 
 namespace setsquare {
 
+void ForgettingParams::validate() const {
+  require_at_least_one(min_visits, "forgetting.min_visits");
+  require_positive(near_m, "forgetting.near_m");
+  require_not_negative(near_rad, "forgetting.near_rad");
+  require_positive(visit_way_m, "forgetting.visit_way_m");
+  scale.validate("forgetting.scale");
+  require_not_negative(min_explained, "forgetting.min_explained");
+  require_not_negative(max_contradicted, "forgetting.max_contradicted");
+  require_not_negative(min_effective_points, "forgetting.min_effective_points");
+  require_not_negative(max_off_m, "forgetting.max_off_m");
+  require_not_negative(max_off_rad, "forgetting.max_off_rad");
+  require_at_least_one(shortest_run, "forgetting.shortest_run");
+  require_positive(known_sigma_m, "forgetting.known_sigma_m");
+  require_positive(known_sigma_rad, "forgetting.known_sigma_rad");
+}
+
 void MapperParams::validate() const {
   tracker.validate();
   mounting.validate();
@@ -15,6 +31,7 @@ void MapperParams::validate() const {
   turns.validate();
   closing.validate();
   robust.validate();
+  forgetting.validate();
   joining.validate();
   registration.validate();
   anywhere.validate();

@@ -128,6 +128,33 @@ struct RegistrationParams {
   void validate() const;
 };
 
+/// Parameters of KnownKeyframes and of forgetting them.
+struct ForgettingParams {
+  bool is_on = true;           ///< Else memory grows with the way driven, also where all is known.
+  std::size_t min_visits = 3;  ///< Earlier visits that cover a keyframe ...
+  double near_m = 0.4;         ///< ... with one of their own that stood so near ...
+  double near_rad = rad_from_deg(20.0);  ///< ... and looked so much the same way.
+  double visit_way_m = 8.0;              ///< Way from one visit to the next, at least.
+  /// How distances between its points and what the visits saw count.
+  AlignmentScale scale{.gate_m = 0.12, .scale_m = 0.04};
+  double min_explained = 0.8;      ///< Of its points; with less it shows something new ...
+  double max_contradicted = 0.05;  ///< ... or with more, of the points compared.
+  /// A direction bound by fewer effective points is left open, as in SubmapRefinementParams.
+  double min_effective_points = 3.0;
+  /// The walls may move it by so much against what loops say.
+  double max_off_m = 0.2;
+  double max_off_rad = rad_from_deg(2.0);  ///< See max_off_m.
+  // Both for each of the track's scanners.
+  std::size_t margin_keyframes = 3;  ///< Stay on either side of one that shows something new.
+  std::size_t shortest_run = 8;      ///< Of keyframes that are forgotten together.
+  /// The motion over a run is known at least so well, for both its ends are in known places.
+  double known_sigma_m = 0.5;
+  double known_sigma_rad = rad_from_deg(2.0);  ///< See known_sigma_m.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of TurnChecks.
 struct TurnCheckParams {
   double agreeing_rad = rad_from_deg(2.0);    ///< Rotations that differ less are the same.
@@ -220,6 +247,7 @@ struct MapperParams {
   HeadingFusionParams heading;      ///< Fuses the headings with the tracked rotations.
   TurnCheckParams turns;            ///< Asks matches about turns in doubt.
   LoopCloserParams closing;         ///< Closes loops.
+  ForgettingParams forgetting;      ///< Forgets keyframes that show nothing new.
   PieceJoiningParams joining;       ///< Joins pieces of track.
   RobustPoseGraphParams robust;     ///< Decides which closures to believe.
   RegistrationParams registration;  ///< Moves all keyframes at the end.

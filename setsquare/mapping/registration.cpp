@@ -148,12 +148,18 @@ void register_keyframes(const KeyframeTrack& track,
     });
 
     PoseGraph all = graph;
+    std::vector<Constraint> not_compared;
+    for (const Constraint& closure : closures) {
+      if (!is_compared(closure, track, compared)) not_compared.push_back(closure);
+    }
+    std::size_t num_constraints = all.constraints.size() + not_compared.size();
+    for (const auto& list : compared) num_constraints += list.size();
+    all.constraints.reserve(num_constraints);
     for (const auto& list : compared) {
       all.constraints.insert(all.constraints.end(), list.begin(), list.end());
     }
-    for (const Constraint& closure : closures) {
-      if (!is_compared(closure, track, compared)) all.constraints.push_back(closure);
-    }
+    compared = std::vector<std::vector<Constraint>>();  // Solving takes memory of its own.
+    all.constraints.insert(all.constraints.end(), not_compared.begin(), not_compared.end());
     polish(all, {.max_iterations = 1});
     graph.T_map_node = std::move(all.T_map_node);
   }

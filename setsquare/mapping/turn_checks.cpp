@@ -41,7 +41,7 @@ class TurnChecks::Matches {
 
  private:
   [[nodiscard]] bool sees_walls(std::size_t k) const {
-    return track_.keyframes[k]->scan.num_beams() >= min_beams_;
+    return track_.keyframes[k]->scan->num_beams() >= min_beams_;
   }
   const PreparedScan& prepared(std::size_t k) {
     const auto known = prepared_.find(k);
@@ -144,6 +144,14 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
     fused.drift_rad[k] = fused.heading_rad[k] - evidence[k].tracked_heading_rad;
   }
   return fused;
+}
+
+void TurnChecks::keep_only(std::span<const std::size_t> kept) {
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    const bool is_joined = kept[i] != kept[i - 1] + 1;
+    steps_[i] = is_joined ? Step{.is_checked = true, .is_confirmed = true} : steps_[kept[i]];
+  }
+  steps_.resize(kept.size());
 }
 
 }  // namespace setsquare

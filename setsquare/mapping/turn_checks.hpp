@@ -24,6 +24,10 @@ class TurnChecks {
                                    const std::vector<HeadingEvidence>& evidence,
                                    const HeadingFusionParams& params);
 
+  /// Of the keyframes only those of these indices, which ascend, are left. A step over some that
+  /// are forgotten is confirmed: how far it turned was taken from headings that were fused.
+  void keep_only(std::span<const std::size_t> kept);
+
  private:
   struct Step {
     bool is_checked = false;

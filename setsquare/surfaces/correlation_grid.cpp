@@ -69,10 +69,10 @@ CorrelationGrid::CorrelationGrid(const SurfacePoints& points, const SurfaceImage
 void CorrelationGrid::draw_free_space(const SurfaceImage& image) {
   // Rays no denser than a cell's width at the grid's border.
   constexpr int kNumRays = 512;
-  const int num_sectors = static_cast<int>(image.sectors().size());
+  const int num_sectors = static_cast<int>(image.num_sectors());
   const int stride = std::max(1, num_sectors / kNumRays);
   for (int k = stride / 2; k < num_sectors; k += stride) {
-    const float free_m = std::min(std::sqrt(image.sectors()[k].free_square_m2),
+    const float free_m = std::min(std::sqrt(image.sector(k).free_square_m2),
                                   static_cast<float>(kHalfExtentCells * kCell_m));
     // The middle of the sector, from its diamond angle.
     const float angle =

@@ -88,11 +88,10 @@ struct SeenSector {
                                                     Floats x_m,
                                                     Floats y_m) {
   static_assert(sizeof(SurfaceSector) == sizeof(Floats));
-  const SurfaceSector* sectors = image.sectors().data();
   const Ints index = image.sector_indices(x_m, y_m);
   std::array<Floats, kLanes> rows;
   for (std::size_t lane = 0; lane < kLanes; ++lane) {
-    std::memcpy(&rows[lane], &sectors[index[lane]], sizeof(Floats));
+    std::memcpy(&rows[lane], &image.sector(index[lane]), sizeof(Floats));
   }
   const Floats a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5);
   const Floats b = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);

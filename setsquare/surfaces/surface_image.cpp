@@ -16,7 +16,7 @@ constexpr double kSectorsPerBeam = 2.0;
 constexpr std::uint32_t kMinSectors = 512;
 constexpr std::uint32_t kMaxSectors = 8192;
 
-std::uint32_t num_sectors(const Scan& scan) {
+std::uint32_t sectors_for(const Scan& scan) {
   const double step_rad = std::abs(scan.bearing_step_rad);
   const double wanted = step_rad > 0.0 ? kSectorsPerBeam * kTwoPi / step_rad : 0.0;
   const double limited = std::min(wanted, static_cast<double>(kMaxSectors));
@@ -29,6 +29,11 @@ float free_square(double range_m, const SurfaceImage::Params& params) {
   const double free_m =
       std::max(0.0, range_m * (1.0 - params.free_margin_ratio) - params.free_margin_m);
   return static_cast<float>(free_m * free_m);
+}
+
+bool is_same(const SurfaceSector& a, const SurfaceSector& b) {
+  return a.normal_x == b.normal_x && a.normal_y == b.normal_y && a.offset_m == b.offset_m &&
+         a.free_square_m2 == b.free_square_m2;
 }
 
 /// Free range of a beam without a usable return, at most the sensor's reach.
@@ -65,10 +70,12 @@ void SurfaceImageParams::validate() const {
 }
 
 SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const Params& params) {
-  const std::uint32_t count = num_sectors(scan);
+  const std::uint32_t count = sectors_for(scan);
   sectors_per_unit_ = static_cast<float>(count) / 4.0F;
   mask_ = static_cast<std::int32_t>(count) - 1;
-  sectors_.assign(count, unknown_sector());
+  seen_at_.assign(count, 0);
+  seen_.reserve(std::min<std::size_t>(scan.num_beams(), count) + 1);
+  seen_.push_back(unknown_sector());
 
   // Each beam fills the sectors between the half-way directions to its neighbours.
   const double half_step_rad = 0.5 * scan.bearing_step_rad;
@@ -100,7 +107,11 @@ SurfaceImage::SurfaceImage(const Scan& scan, const SurfacePoints& points, const 
     std::int32_t from = sector_index(static_cast<float>(c), static_cast<float>(s));
     std::int32_t to = sector_index(static_cast<float>(next_c), static_cast<float>(next_s));
     if (is_clockwise) std::swap(from, to);
-    for (std::int32_t k = from; k != to; k = (k + 1) & mask_) sectors_[k] = sector;
+    if (from != to) {
+      if (!is_same(sector, seen_.back())) seen_.push_back(sector);
+      const auto seen = static_cast<std::uint16_t>(seen_.size() - 1);
+      for (std::int32_t k = from; k != to; k = (k + 1) & mask_) seen_at_[k] = seen;
+    }
     c = next_c;
     s = next_s;
   }

@@ -26,7 +26,8 @@ struct SurfaceSector {
 /// A scan as a polar depth image. A point that is moved into this scan's frame finds the surface
 /// that the scan saw in the point's direction in one access: nothing is searched, nothing is built
 /// but the image. Sectors divide the circle by the diamond angle y / (|x| + |y|), monotone in the
-/// bearing and free of trigonometry.
+/// bearing and free of trigonometry. A sector is a number of two bytes, for what it shows is what
+/// one beam saw: most of a large circle shows nothing or the same as its neighbour.
 class SurfaceImage {
  public:
   /// Offset of a sector without a surface: every point lies far behind it.
@@ -44,14 +45,14 @@ class SurfaceImage {
 
   /// The sector in the direction of (x, y), sensor frame; any point but the origin itself.
   [[nodiscard]] const SurfaceSector& at(float x_m, float y_m) const {
-    return sectors_[sector_index(x_m, y_m)];
+    return sector(sector_index(x_m, y_m));
   }
   /// Points behind the surface have a negative distance, points before it a positive one.
   [[nodiscard]] static float signed_distance_m(const SurfaceSector& sector, float x_m, float y_m) {
     return sector.normal_x * x_m + sector.normal_y * y_m - sector.offset_m;
   }
 
-  /// The index of at() in sectors().
+  /// The number of the sector of at(), for sector().
   [[nodiscard]] std::int32_t sector_index(float x_m, float y_m) const {
     return static_cast<std::int32_t>((diamond_angle(x_m, y_m) + 1.0F) * sectors_per_unit_) & mask_;
   }
@@ -61,8 +62,12 @@ class SurfaceImage {
     const Floats angle = select(x_m >= Floats{}, quotient, 2.0F - quotient);
     return __builtin_convertvector((angle + 1.0F) * sectors_per_unit_, Ints) & mask_;
   }
-  /// All of them, from -90 deg on.
-  [[nodiscard]] const std::vector<SurfaceSector>& sectors() const { return sectors_; }
+  /// What a sector shows; they are counted from -90 deg on.
+  [[nodiscard]] const SurfaceSector& sector(std::int32_t index) const {
+    return seen_[seen_at_[static_cast<std::size_t>(index)]];
+  }
+  /// Sectors of the circle.
+  [[nodiscard]] std::size_t num_sectors() const { return seen_at_.size(); }
 
   /// Monotone in the bearing from -90 deg (-1) through 0, 90 (1) and 180 deg (2) up to 270 deg (3).
   [[nodiscard]] static float diamond_angle(float x, float y) {
@@ -74,7 +79,8 @@ class SurfaceImage {
  private:
   float sectors_per_unit_ = 0.0F;
   std::int32_t mask_ = 0;
-  std::vector<SurfaceSector> sectors_;
+  std::vector<SurfaceSector> seen_;     ///< What beams saw; the first one nothing.
+  std::vector<std::uint16_t> seen_at_;  ///< Which of them each sector shows.
 };
 
 }  // namespace setsquare

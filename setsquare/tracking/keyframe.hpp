@@ -16,9 +16,9 @@ namespace setsquare {
 struct Keyframe {
   std::size_t scan_index = 0;
   Pose2 T_odom_sensor;
-  Pose2 T_odom_body;  ///< See BodyMounting.
-  Scan scan;
-  ScanSurfacesPtr surfaces;  ///< Of the scan, as tracking made them.
+  Pose2 T_odom_body;                 ///< See BodyMounting.
+  std::shared_ptr<const Scan> scan;  ///< Shared with the map, which outlives the surfaces.
+  ScanSurfacesPtr surfaces;          ///< Of the scan, as tracking made them.
 
   [[nodiscard]] const SurfacePoints& points() const { return surfaces->points; }
   [[nodiscard]] const SurfaceImage& image() const { return surfaces->image; }

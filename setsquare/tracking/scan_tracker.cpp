@@ -463,7 +463,7 @@ bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) co
   if (tracked.status == TrackStatus::kLost) return false;  // It would stand at a guessed place.
   if (tracked.open_sigma_m > 0.0) return true;             // How far it is off is not known.
   const auto last = std::find_if(submap_.rbegin(), submap_.rend(), [&](const KeyframePtr& kept) {
-    return kept->scan.scanner == scan.scanner;
+    return kept->scan->scanner == scan.scanner;
   });
   if (last == submap_.rend()) return true;
   const Pose2 moved = (*last)->T_odom_body.inverse() * tracked.T_odom_body;
@@ -473,7 +473,7 @@ bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) co
 
 std::size_t ScanTracker::num_scanners() const {
   std::set<std::uint32_t> scanners;
-  for (const KeyframePtr& keyframe : submap_) scanners.insert(keyframe->scan.scanner);
+  for (const KeyframePtr& keyframe : submap_) scanners.insert(keyframe->scan->scanner);
   return scanners.size();
 }
 
@@ -486,7 +486,7 @@ void ScanTracker::keep(const Scan& scan, ScanSurfacesPtr surfaces, const Tracked
   submap_.push_back(std::make_shared<Keyframe>(Keyframe{.scan_index = num_scans_,
                                                         .T_odom_sensor = tracked.T_odom_sensor,
                                                         .T_odom_body = tracked.T_odom_body,
-                                                        .scan = scan,
+                                                        .scan = std::make_shared<const Scan>(scan),
                                                         .surfaces = std::move(surfaces)}));
   submap_images_.push_back({&submap_.back()->image(), tracked.T_odom_sensor});
   prepared_.add(submap_.back());

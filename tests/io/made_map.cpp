@@ -394,6 +394,7 @@ void list_reports(Listing& out, const Map& map) {
   out.add("sweep.stated_s", map.sweep.stated_s);
   out.add("sweep.num_turns", map.sweep.num_turns);
   out.add("num_with_odometry", map.num_with_odometry);
+  if (map.num_forgotten > 0) out.add("num_forgotten", map.num_forgotten);
   out.add("is_audited", map.audit.has_value());
   const AuditReport audit = map.audit.value_or(AuditReport{});
   out.add("audit.num_pairs", audit.num_pairs);

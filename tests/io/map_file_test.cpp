@@ -172,6 +172,18 @@ TEST(MapFile, ASectionThatIsAbsentTwiceOrOfAnotherLengthIsNoticed) {
   }
 }
 
+TEST(MapFile, WhatWasForgottenIsToldWhereThereIsAny) {
+  SavedMap saved = made_map(5, 6);
+  const Sections without = sections_of(saved);
+  saved.map.num_forgotten = 7;
+  const Sections file = sections_of(saved);
+  ASSERT_EQ(file.sections.size(), without.sections.size() + 1);
+  const auto told = std::ranges::find(file.sections, "FORG", &Section::id);
+  ASSERT_NE(told, file.sections.end());
+  EXPECT_FALSE(told->is_required) << "older programs read the map";
+  EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
+}
+
 /// Eight bytes of every section are made a huge number, wherever they stand: counts among them.
 TEST(MapFile, AnyCountInAHostileFileIsHeldAgainstWhatIsLeft) {
   const Sections file = sections_of(made_map(5, 6));

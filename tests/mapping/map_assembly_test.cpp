@@ -28,8 +28,10 @@ struct MountedTrack {
     for (std::size_t k = 0; k < num; ++k) {
       Keyframe keyframe;
       keyframe.scan_index = 10 * k;
-      keyframe.scan.stamp.ns = static_cast<std::int64_t>(k) * 1000;
-      keyframe.scan.T_base_sensor = random_pose(generator);
+      Scan scan;
+      scan.stamp.ns = static_cast<std::int64_t>(k) * 1000;
+      scan.T_base_sensor = random_pose(generator);
+      keyframe.scan = std::make_shared<const Scan>(scan);
       track.keyframes.push_back(std::make_shared<Keyframe>(keyframe));
       track.motions.emplace_back();
       track.stretches.push_back(0);
@@ -59,7 +61,7 @@ TEST(GraphOfBase, ResidualsVanishWhereThoseOfTheSensorsDo) {
     EXPECT_LT(residual(of_base, constraint).norm(), 1e-9);
   }
   for (std::size_t k = 0; k < 12; ++k) {
-    EXPECT_THAT(of_base.T_map_node[k] * mounted.track.keyframes[k]->scan.T_base_sensor,
+    EXPECT_THAT(of_base.T_map_node[k] * mounted.track.keyframes[k]->scan->T_base_sensor,
                 PoseNear(mounted.graph.T_map_node[k], PoseTolerance{}));
     EXPECT_NEAR(
         wrap_to_pi(of_base.headings[k].heading_rad - of_base.T_map_node[k].theta_rad), 0.0, 1e-9);
@@ -110,8 +112,8 @@ TEST(MappedClosures, HaveThePosesOfTheBaseAndTheFinalWeights) {
   ASSERT_EQ(closures.size(), 3U);
   const std::vector<double> weights = {0.75, 0.0, 0.25};
   for (std::size_t k = 0; k < 3; ++k) {
-    const Scan& scan_i = mounted.track.keyframes[compared[k].from]->scan;
-    const Scan& scan_j = mounted.track.keyframes[compared[k].to]->scan;
+    const Scan& scan_i = *mounted.track.keyframes[compared[k].from]->scan;
+    const Scan& scan_j = *mounted.track.keyframes[compared[k].to]->scan;
     EXPECT_EQ(closures[k].scan_i, 10 * compared[k].from);
     EXPECT_EQ(closures[k].scan_j, 10 * compared[k].to);
     EXPECT_EQ(closures[k].closure.stamp_i, scan_i.stamp);

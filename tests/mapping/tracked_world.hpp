@@ -33,7 +33,7 @@ inline KeyframePtr make_keyframe(const Scan& scan, const Pose2& T_odom_sensor, s
   return std::make_shared<Keyframe>(Keyframe{.scan_index = index,
                                              .T_odom_sensor = T_odom_sensor,
                                              .T_odom_body = T_odom_sensor,
-                                             .scan = scan,
+                                             .scan = std::make_shared<const Scan>(scan),
                                              .surfaces = scan_surfaces(scan)});
 }
 

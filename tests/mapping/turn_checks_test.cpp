@@ -39,16 +39,16 @@ Track track_with_slips(const std::vector<std::pair<std::size_t, double>>& slips_
     for (std::size_t k = at; k < made.track.size(); ++k) {
       const Keyframe& keyframe = *made.track.keyframes[k];
       made.track.keyframes[k] =
-          testing::make_keyframe(keyframe.scan, T_odom_slipped * keyframe.T_odom_sensor, k);
+          testing::make_keyframe(*keyframe.scan, T_odom_slipped * keyframe.T_odom_sensor, k);
     }
   }
   const MapperParams params;
   for (std::size_t k = 0; k < made.track.size(); ++k) {
     const Keyframe& keyframe = *made.track.keyframes[k];
-    made.evidence.push_back(
-        {.tracked_heading_rad = keyframe.T_odom_sensor.theta_rad,
-         .step_sigma_rad = std::sqrt(made.track.motions[k].rotation_rad2),
-         .proposals = heading_proposals(keyframe.scan, params.direction, params.confident_margin)});
+    made.evidence.push_back({.tracked_heading_rad = keyframe.T_odom_sensor.theta_rad,
+                             .step_sigma_rad = std::sqrt(made.track.motions[k].rotation_rad2),
+                             .proposals = heading_proposals(
+                                 *keyframe.scan, params.direction, params.confident_margin)});
   }
   return made;
 }

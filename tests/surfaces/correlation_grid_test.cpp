@@ -81,7 +81,7 @@ class PlainGrid {
 
   /// The cells on the middle lines of 512 sectors, a cell's width apart.
   void draw_free_space(const SurfaceImage& image) {
-    const auto num_sectors = image.sectors().size();
+    const auto num_sectors = image.num_sectors();
     const std::size_t stride = num_sectors / 512;
     for (std::size_t k = stride / 2; k < num_sectors; k += stride) {
       const double angle = (static_cast<double>(k) + 0.5) * 4.0 / static_cast<double>(num_sectors);
@@ -91,8 +91,9 @@ class PlainGrid {
       const double share = angle - static_cast<double>(side);
       const Eigen::Vector2d unit =
           ((1.0 - share) * corners[side] + share * corners[side + 1]).normalized();
-      const double free_cells = std::min(std::sqrt(image.sectors()[k].free_square_m2) / kCell_m,
-                                         static_cast<double>(kHalfExtent));
+      const double free_cells =
+          std::min(std::sqrt(image.sector(static_cast<std::int32_t>(k)).free_square_m2) / kCell_m,
+                   static_cast<double>(kHalfExtent));
       for (int step = 0; step < free_cells; ++step) {
         cells_[{static_cast<int>(std::floor(step * unit.x())),
                 static_cast<int>(std::floor(step * unit.y()))}] = Cell::kFree;

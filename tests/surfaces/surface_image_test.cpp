@@ -59,7 +59,7 @@ TEST_P(SurfaceImageOf, ShowsTheNearestBeamsSurface) {
     // Within a sector's width of the border between two beams either may be shown.
     const double diamond_m = std::abs(std::cos(bearing_rad)) + std::abs(std::sin(bearing_rad));
     const double border_rad =
-        4.0 / static_cast<double>(image.sectors().size()) * diamond_m * diamond_m;
+        4.0 / static_cast<double>(image.num_sectors()) * diamond_m * diamond_m;
     if (std::abs(nearest.distance_rad - half_step_rad) < border_rad) continue;
     ++num_compared;
     const auto point =
@@ -127,9 +127,10 @@ TEST(SurfaceImage, AnswersAtTheSensorItself) {
       testing::scan_of_walls(testing::l_shaped_room(), {2, 2, 0.2}, {360, -kPi, rad_from_deg(1)});
   const SurfaceImage image(scan, surface_points_from_scan(scan));
   for (const float zero : {0.0F, -0.0F}) {
-    const SurfaceSector& sector = image.at(zero, zero);
-    EXPECT_GE(&sector, image.sectors().data());
-    EXPECT_LT(&sector, image.sectors().data() + image.sectors().size());
+    const std::int32_t index = image.sector_index(zero, zero);
+    ASSERT_GE(index, 0);
+    ASSERT_LT(static_cast<std::size_t>(index), image.num_sectors());
+    EXPECT_EQ(&image.at(zero, zero), &image.sector(index));
   }
 }
 
@@ -155,7 +156,8 @@ TEST(SurfaceImage, StaysFiniteForReturnsAtTheSensor) {
   for (const double range_m : {5e-324, 1e-60, 1e-42, 1e-30, 1e-6, 0.005}) {
     scan.ranges_m.assign(90, range_m);
     const SurfaceImage image(scan, surface_points_from_scan(scan));
-    for (const SurfaceSector& sector : image.sectors()) {
+    for (std::size_t k = 0; k < image.num_sectors(); ++k) {
+      const SurfaceSector& sector = image.sector(static_cast<std::int32_t>(k));
       ASSERT_TRUE(std::isfinite(sector.normal_x)) << range_m;
       ASSERT_TRUE(std::isfinite(sector.normal_y)) << range_m;
       ASSERT_TRUE(std::isfinite(sector.offset_m)) << range_m;

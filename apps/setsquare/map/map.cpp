@@ -87,6 +87,11 @@ void tell(const MapSummary& summary, double total_s) {
       summary.num_accepted_closures,
       summary.num_compared_closures,
       summary.num_outvoted_closures);
+  if (summary.num_forgotten > 0) {
+    std::cout << fmt::format(
+        "forgotten: {} keyframes of places that were covered before, and showed nothing new\n",
+        summary.num_forgotten);
+  }
   tell_doubts(summary);
   std::cout << fmt::format("mapped and written in {:.2f} s ({:.0f} us per scan)\n",
                            total_s,

@@ -7,11 +7,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
 #include <unordered_map>
 #include <utility>
 
@@ -73,8 +75,10 @@ std::optional<std::vector<KeptScan>> kept_scans_of(const KeptTable& table) {
   return kept_scans;
 }
 
-/// The section that a map may do without: it cannot be gone on with then.
-constexpr std::string_view kSessions = "SESS";
+/// Sections that a map may do without: it cannot be gone on with then, or has forgotten nothing.
+constexpr std::array<std::string_view, 2> kOptional{"SESS", "FORG"};
+/// The section that programs which do not know it may leave out.
+constexpr std::string_view kForgotten = "FORG";
 
 /// The sections in their order, and what is in each; the kept scans stand in their table.
 template <typename SomeMap, typename SomeRecord, typename SomeTable, typename Visit>
@@ -94,6 +98,7 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
          odometry,
          sweep,
          num_with_odometry,
+         num_forgotten,
          graph,
          kept_scans,
          audit,
@@ -108,6 +113,8 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
   visit("GRAF", graph);
   visit("SENS", scanners, gyro, odometry, sweep, num_with_odometry);
   visit("AUDI", audit, doubts);
+  // Written where there is something to tell: other maps are as before.
+  if (!std::is_const_v<SomeMap> || num_forgotten > 0) visit("FORG", num_forgotten);
   visit("SCAN", table.scans, table.kept);
 }
 
@@ -174,7 +181,7 @@ std::string map_file_bytes(const Map& map, const MapRecord& record) {
   for_each_section(map, record, table, [&](const char* id, const auto&... fields) {
     FieldWriter writer;
     writer(fields...);
-    file.sections.push_back({id, true, writer.take()});
+    file.sections.push_back({id, id != kForgotten, writer.take()});
   });
   return map_file::bytes_from_sections(file);
 }
@@ -190,7 +197,7 @@ SavedMap map_from_bytes(std::string_view bytes, const std::string& name) {
   std::vector<std::string> known;
   for_each_section(saved.map, saved.record, table, [&](const char* id, auto&... fields) {
     known.emplace_back(id);
-    if (std::string_view(id) == kSessions && !sections.holds(id)) return;
+    if (std::ranges::find(kOptional, id) != kOptional.end() && !sections.holds(id)) return;
     sections.read(id, fields...);
   });
   sections.require_none_left(

@@ -148,4 +148,32 @@ void LoopCloser::extend(const KeyframeTrack& track,
   compared_.insert(compared_.end(), compared.begin(), compared.end());
 }
 
+void LoopCloser::keep_only(std::span<const std::size_t> kept, const KeyframeTrack& track) {
+  const auto index_of = [&](std::size_t& keyframe) {
+    const auto found = std::ranges::lower_bound(kept, keyframe);
+    if (found == kept.end() || *found != keyframe) return false;
+    keyframe = static_cast<std::size_t>(found - kept.begin());
+    return true;
+  };
+  std::erase_if(stations_, [&](std::size_t& station) { return !index_of(station); });
+  std::erase_if(compared_, [&](ComparedPlaces& places) {
+    return !index_of(places.from) || !index_of(places.to);
+  });
+  std::erase_if(joints_to_link_,
+                [&](auto& joint) { return !index_of(joint.first) || !index_of(joint.second); });
+  candidates_ = ClosureCandidates(params_.candidates);
+  const std::vector<double> open_m2 = open_m2_of(track, track.size());
+  for (std::size_t i = 0; i < stations_.size(); ++i) {
+    const std::size_t station = stations_[i];
+    const std::size_t before = i == 0 ? station : stations_[i - 1];
+    candidates_.add_station(way_between(track, before, station, params_.candidates),
+                            track.pieces[station],
+                            open_m2[station]);
+  }
+  for (const ComparedPlaces& places : compared_) {
+    if (places.verdict.reason != ClosureReason::kStandsAlone) continue;
+    candidates_.link(nearest_station(places.from), nearest_station(places.to));
+  }
+}
+
 }  // namespace setsquare

@@ -35,6 +35,10 @@ class LoopCloser {
               std::span<const Pose2> T_map_sensor,
               std::size_t num_threads);
 
+  /// Of the keyframes only those of these indices, which ascend, are left, on the track as it is
+  /// now: stations and compared places of others are forgotten.
+  void keep_only(std::span<const std::size_t> kept, const KeyframeTrack& track);
+
   /// All pairs that were compared: joints, then in the order of the later station.
   [[nodiscard]] const std::vector<ComparedPlaces>& compared() const { return compared_; }
 

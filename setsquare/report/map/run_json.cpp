@@ -148,6 +148,7 @@ Json array_from(const Values& values, const Context&... context) {
 Json scan_counts(const MapSummary& summary) {
   return {{"scans", summary.num_scans},
           {"keyframes", summary.num_keyframes},
+          {"forgotten_keyframes", summary.num_forgotten},
           {to_string(TrackStatus::kTracked), summary.num_tracked},
           {to_string(TrackStatus::kDegenerate), summary.num_degenerate},
           {to_string(TrackStatus::kRecovered), summary.num_recovered},
