@@ -73,7 +73,7 @@ LivePose LocalizingSession::add_scan(const LogRecord& record) {
   return pose;
 }
 
-/// The thread of the old one has ended before the new one's begins.
+/// The old one's thread has placed all that came, and rests, before the new one's begins.
 void LocalizingSession::begin_again() {
   const std::shared_ptr<LiveLocalizer> old = localizer();
   old->finish();

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
 #include <Eigen/LU>
 #include <set>
@@ -62,6 +63,23 @@ std::size_t keyframe_of_scan(const KeyframeTrack& track, std::size_t scan_index)
       });
   assert(found != track.keyframes.end() && (*found)->scan_index == scan_index);
   return static_cast<std::size_t>(found - track.keyframes.begin());
+}
+
+std::vector<double> ways_m_of(const KeyframeTrack& track) {
+  std::vector<double> ways_m(track.size(), 0.0);
+  for (std::size_t k = 1; k < track.size(); ++k) {
+    const Pose2 moved =
+        track.keyframes[k - 1]->T_odom_body.inverse() * track.keyframes[k]->T_odom_body;
+    ways_m[k] = ways_m[k - 1] + std::hypot(moved.x_m, moved.y_m);
+  }
+  return ways_m;
+}
+
+std::vector<ScanSurfacesPtr> surfaces_of(const KeyframeTrack& track) {
+  std::vector<ScanSurfacesPtr> surfaces;
+  surfaces.reserve(track.size());
+  for (const KeyframePtr& keyframe : track.keyframes) surfaces.push_back(keyframe->surfaces);
+  return surfaces;
 }
 
 PoseGraph pose_graph_of(const KeyframeTrack& track, std::span<const double> headings_rad) {

@@ -39,6 +39,12 @@ struct KeyframeTrack {
 /// The keyframe of a scan, which has one.
 [[nodiscard]] std::size_t keyframe_of_scan(const KeyframeTrack& track, std::size_t scan_index);
 
+/// Of each keyframe, how far the robot had driven when it was taken, in m, as tracked.
+[[nodiscard]] std::vector<double> ways_m_of(const KeyframeTrack& track);
+
+/// What each keyframe saw.
+[[nodiscard]] std::vector<ScanSurfacesPtr> surfaces_of(const KeyframeTrack& track);
+
 /// A scan that stands where it was seen from a keyframe.
 struct HungScan {
   std::size_t scan_index = 0;

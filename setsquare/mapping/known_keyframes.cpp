@@ -23,15 +23,8 @@ constexpr double kStepDamping = 1e-2;
 /// The track, its keyframes' places and the way to each.
 struct PlacedTrack {
   PlacedTrack(const KeyframeTrack& of, std::span<const Pose2> poses, double cell_m)
-      : track(of), T_map_sensor(poses), hash(cell_m) {
-    for (std::size_t k = 0; k < track.size(); ++k) {
-      hash.add(T_map_sensor[k].translation(), k);
-      const std::size_t before = k == 0 ? 0 : k - 1;
-      const Pose2 moved =
-          track.keyframes[before]->T_odom_body.inverse() * track.keyframes[k]->T_odom_body;
-      const double way_before_m = k == 0 ? 0.0 : way_m.back();
-      way_m.push_back(way_before_m + std::hypot(moved.x_m, moved.y_m));
-    }
+      : track(of), T_map_sensor(poses), hash(cell_m), way_m(ways_m_of(of)) {
+    for (std::size_t k = 0; k < track.size(); ++k) hash.add(T_map_sensor[k].translation(), k);
   }
 
   const KeyframeTrack& track;

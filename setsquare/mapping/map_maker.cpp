@@ -163,6 +163,15 @@ Map MapMaker::make() const {
   }
 }
 
+MapParts MapMaker::parts_of_log() const {
+  return {.scans = log_.scans,
+          .kept_scans = log_.kept_scans,
+          .track = log_.track,
+          .shares_of_place = log_.shares_of_place,
+          .hung_scans = log_.hung_scans,
+          .sessions = log_.sessions};
+}
+
 Map MapMaker::track_alone(const std::string& reason) const {
   std::vector<double> headings_rad;
   std::vector<std::size_t> sizes(log_.track.pieces.back() + 1, 0);
@@ -172,14 +181,10 @@ Map MapMaker::track_alone(const std::string& reason) const {
   }
   std::vector<bool> is_largest(sizes.size(), false);
   is_largest[static_cast<std::size_t>(std::ranges::max_element(sizes) - sizes.begin())] = true;
-  Map map = assemble_map({.scans = log_.scans,
-                          .kept_scans = log_.kept_scans,
-                          .track = log_.track,
-                          .shares_of_place = log_.shares_of_place,
-                          .hung_scans = log_.hung_scans,
-                          .sessions = log_.sessions,
-                          .is_joined = is_largest,
-                          .graph = pose_graph_of(log_.track, headings_rad)});
+  MapParts parts = parts_of_log();
+  parts.is_joined = std::move(is_largest);
+  parts.graph = pose_graph_of(log_.track, headings_rad);
+  Map map = assemble_map(parts);
   log_.add_sensors(map);
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   for (MappedScan& scan : map.scans) {
@@ -245,18 +250,15 @@ Map MapMaker::map_of(const Closed& closed) const {
   for (HeadingMeasurement& heading : graph.headings) {
     heading.information_per_rad2 /= params_.heading.num_alike;
   }
-  FusedHeadings headings = closed.headings;
-  if (!log_.anchors.empty()) move_by(motion_to_anchors(graph, log_.anchors), graph, headings);
-  Map map = assemble_map({.scans = log_.scans,
-                          .kept_scans = log_.kept_scans,
-                          .track = log_.track,
-                          .shares_of_place = log_.shares_of_place,
-                          .hung_scans = log_.hung_scans,
-                          .sessions = log_.sessions,
-                          .headings = headings,
-                          .compared = closed.closer.compared(),
-                          .is_joined = closed.joined.is_joined,
-                          .graph = graph});
+  MapParts parts = parts_of_log();
+  parts.headings = closed.headings;
+  parts.compared = closed.closer.compared();
+  parts.is_joined = closed.joined.is_joined;
+  parts.graph = std::move(graph);
+  if (!log_.anchors.empty()) {
+    move_by(motion_to_anchors(parts.graph, log_.anchors), parts.graph, parts.headings);
+  }
+  Map map = assemble_map(parts);
   log_.add_sensors(map);
   add_searches(closed, map);
   add_certainty(map, params_.motion);
@@ -280,13 +282,6 @@ void MapMaker::add_searches(const Closed& closed, Map& map) const {
   }
 }
 
-std::vector<ScanSurfacesPtr> MapMaker::surfaces() const {
-  std::vector<ScanSurfacesPtr> surfaces;
-  surfaces.reserve(log_.track.size());
-  for (const KeyframePtr& keyframe : log_.track.keyframes) surfaces.push_back(keyframe->surfaces);
-  return surfaces;
-}
-
 std::size_t MapMaker::num_seen_through_in(const Map& map) const {
   std::vector<Pose2> T_map_sensor;
   for (const std::size_t scan : map.keyframes) T_map_sensor.push_back(map.scans[scan].T_map_sensor);
@@ -295,8 +290,8 @@ std::size_t MapMaker::num_seen_through_in(const Map& map) const {
 
 void MapMaker::close_anywhere(Closed& closed, Map& map) const {
   for (int round = 0; round < params_.anywhere.max_rounds; ++round) {
-    const std::vector<MapHypothesis> told =
-        closures_anywhere(map, surfaces(), params_.anywhere, params_.audit, params_.num_threads);
+    const std::vector<MapHypothesis> told = closures_anywhere(
+        map, surfaces_of(log_.track), params_.anywhere, params_.audit, params_.num_threads);
     if (told.empty()) return;
     Closed again = closed_with(closed, told);
     Map closed_map = map_of(again);
@@ -310,7 +305,7 @@ void MapMaker::close_anywhere(Closed& closed, Map& map) const {
 }
 
 void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
-  const std::vector<ScanSurfacesPtr> of_keyframes = surfaces();
+  const std::vector<ScanSurfacesPtr> of_keyframes = surfaces_of(log_.track);
   const auto audited = [&](const Map& audited_map) {
     return audit(audited_map, of_keyframes, params_.audit, params_.num_threads);
   };

@@ -93,6 +93,8 @@ class MapMaker {
   };
 
   [[nodiscard]] Map closed_map() const;
+  /// What every map of this log is made of, before it is closed.
+  [[nodiscard]] MapParts parts_of_log() const;
   /// The map without any loop, its spreads unknown; `reason`: why.
   [[nodiscard]] Map track_alone(const std::string& reason) const;
   /// Tracks of one piece: the loops that are left to close.
@@ -119,8 +121,6 @@ class MapMaker {
 
   /// Keyframes that the map contradicts.
   [[nodiscard]] std::size_t num_seen_through_in(const Map& map) const;
-  /// Of the track's keyframes.
-  [[nodiscard]] std::vector<ScanSurfacesPtr> surfaces() const;
 
   const TrackedLog& log_;
   const MapperParams& params_;

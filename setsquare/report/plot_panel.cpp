@@ -93,15 +93,19 @@ void PlotPanel::draw_guides(const PanelLabels& labels, PlotRange x, PlotRange y)
                 .rotation_deg = -90.0});
 }
 
+std::vector<Eigen::Vector2d> PlotPanel::at(std::span<const Eigen::Vector2d> points) const {
+  std::vector<Eigen::Vector2d> places;
+  places.reserve(points.size());
+  for (const Eigen::Vector2d& point : points) places.push_back(at(point.x(), point.y()));
+  return places;
+}
+
 void PlotPanel::curve(std::span<const Eigen::Vector2d> points,
                       Color value,
                       double width_px,
                       double opacity) {
-  std::vector<Eigen::Vector2d> line;
-  line.reserve(points.size());
-  for (const Eigen::Vector2d& point : points) line.push_back(at(point.x(), point.y()));
   canvas_.begin_clip(corner_, size_);
-  canvas_.polyline(line, {.stroke = value, .stroke_width_px = width_px, .opacity = opacity});
+  canvas_.polyline(at(points), {.stroke = value, .stroke_width_px = width_px, .opacity = opacity});
   canvas_.end_clip();
 }
 
@@ -119,11 +123,8 @@ void PlotPanel::dots(std::span<const Eigen::Vector2d> points,
                      Color value,
                      double radius_px,
                      double opacity) {
-  std::vector<Eigen::Vector2d> places;
-  places.reserve(points.size());
-  for (const Eigen::Vector2d& point : points) places.push_back(at(point.x(), point.y()));
   canvas_.begin_clip(corner_, size_);
-  canvas_.dots(places, radius_px, value, opacity);
+  canvas_.dots(at(points), radius_px, value, opacity);
   canvas_.end_clip();
 }
 

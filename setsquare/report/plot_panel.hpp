@@ -59,6 +59,7 @@ class PlotPanel {
   void remark(std::string_view words, Color value, int line);
 
  private:
+  [[nodiscard]] std::vector<Eigen::Vector2d> at(std::span<const Eigen::Vector2d> points) const;
   void draw_guides(const PanelLabels& labels, PlotRange x, PlotRange y);
 
   SvgCanvas& canvas_;

@@ -34,16 +34,6 @@ constexpr double kMaxBetween_m = 1.5;
 constexpr double kMinCrossedShare = 0.5;
 constexpr AlignmentScale kScale{.gate_m = 0.30, .scale_m = 0.15};
 
-std::vector<double> ways_of(const KeyframeTrack& track) {
-  std::vector<double> way_m(track.size(), 0.0);
-  for (std::size_t k = 1; k < track.size(); ++k) {
-    const Pose2 moved =
-        track.keyframes[k - 1]->T_odom_body.inverse() * track.keyframes[k]->T_odom_body;
-    way_m[k] = way_m[k - 1] + std::hypot(moved.x_m, moved.y_m);
-  }
-  return way_m;
-}
-
 /// The nearest earlier keyframe of each pass near by.
 std::vector<std::size_t> other_passes(std::size_t keyframe,
                                       std::span<const Pose2> T_map_sensor,
@@ -136,13 +126,10 @@ std::vector<CrossedWalls> crossed_walls(std::span<const std::optional<std::size_
 std::size_t num_seen_through(const KeyframeTrack& track,
                              std::span<const Pose2> T_map_sensor,
                              std::size_t num_threads) {
-  std::vector<ScanSurfacesPtr> surfaces;
-  surfaces.reserve(track.size());
-  for (const KeyframePtr& keyframe : track.keyframes) surfaces.push_back(keyframe->surfaces);
-  const std::vector<double> way_m = ways_of(track);
+  const auto seen_by =
+      seen_through(surfaces_of(track), T_map_sensor, ways_m_of(track), num_threads);
   return static_cast<std::size_t>(
-      std::ranges::count_if(seen_through(surfaces, T_map_sensor, way_m, num_threads),
-                            [](const auto& by) { return by.has_value(); }));
+      std::ranges::count_if(seen_by, [](const auto& by) { return by.has_value(); }));
 }
 
 bool see_through_each_other(const Keyframe& a, const Keyframe& b, const Pose2& T_a_b) {
