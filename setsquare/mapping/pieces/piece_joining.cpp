@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -155,10 +156,11 @@ class PieceJoiner {
     const std::size_t reach =
         (is_long_step ? params_.num_across_break : params_.num_across_lost) * track_.num_scanners();
     const std::size_t first = begin - std::min(begin, reach);
+    std::set<std::size_t> refused;  ///< Groups: until one is merged, nothing new can be found.
     for (std::size_t before = begin; before-- > first;) {
       const std::size_t known = group_of(before);
       const std::size_t sought = group_of(begin);
-      if (known == sought) continue;
+      if (known == sought || !refused.insert(known).second) continue;
       std::vector<Proposal> proposals;
       for (std::size_t i = first; i < begin; ++i) {
         for (std::size_t j = begin; j < std::min(begin + reach, track_.size()); ++j) {
@@ -168,14 +170,16 @@ class PieceJoiner {
           proposals.back().sought = j;
         }
       }
-      std::vector<Proposal> across = matched(proposals);
+      std::vector<Proposal> across = matched(std::move(proposals));
       if (!is_long_step) {
         std::erase_if(across, [&](const Proposal& proposal) { return !is_as_tracked(proposal); });
       }
       const auto agreed = agreed_alone(across, &weight_in, params_.min_votes_across_break);
       if (agreed.empty()) continue;
       const JoiningClaim claim = claim_of(agreed, sought, known);
-      if (!sees_through_map(claim, track_, T_map_sensor_, params_)) merge(sought, known, agreed);
+      if (sees_through_map(claim, track_, T_map_sensor_, params_)) continue;
+      merge(sought, known, agreed);
+      refused.clear();
     }
   }
 
@@ -295,17 +299,10 @@ class PieceJoiner {
   /// proposed, and the samples of a scan are drawn once.
   [[nodiscard]] std::vector<Proposal> verified(const std::vector<Proposal>& proposals) {
     std::vector<Proposal> unknown;
-    std::vector<std::size_t> unprepared;
-    for (const Proposal& proposal : proposals) {
-      if (verified_.contains(pair_of(proposal))) continue;
-      unknown.push_back(proposal);
-      for (const std::size_t keyframe : {proposal.known, proposal.sought}) {
-        if (prepared_.try_emplace(keyframe).second) unprepared.push_back(keyframe);
-      }
-    }
-    run_in_parallel(unprepared.size(), num_threads_, [&](std::size_t i) {
-      prepared_.at(unprepared[i]) = prepare(track_.keyframes[unprepared[i]]->surfaces);
+    std::ranges::copy_if(proposals, std::back_inserter(unknown), [&](const Proposal& proposal) {
+      return !verified_.contains(pair_of(proposal));
     });
+    prepare_scans_of(unknown);
     run_in_parallel(
         unknown.size(), num_threads_, [&](std::size_t i) { unknown[i] = verify(unknown[i]); });
     for (const Proposal& proposal : unknown) verified_.emplace(pair_of(proposal), proposal);
@@ -322,31 +319,41 @@ class PieceJoiner {
   }
 
   /// Those of the proposals, across a break, whose scans match.
-  [[nodiscard]] std::vector<Proposal> matched(const std::vector<Proposal>& proposals) {
-    std::vector<Proposal> matched;
-    for (Proposal proposal : proposals) {
-      const MatchResult match =
-          setsquare::match(prepared(proposal.known), prepared(proposal.sought));
-      proposal.weight = vote_weight(match.status);
-      if (!match.T_reference_current || proposal.weight == 0.0) continue;
-      const Pose2& T_map_known = T_map_sensor_[proposal.known];
-      proposal.places = matched_places(proposal.known,
-                                       proposal.sought,
-                                       *match.T_reference_current,
-                                       information_of_joint(params_));
-      proposal.places.score = match.score;
-      proposal.places.contradiction = match.contradiction;
-      proposal.T_map_piece =
-          T_map_known * *match.T_reference_current * T_map_sensor_[proposal.sought].inverse();
-      matched.push_back(proposal);
-    }
-    return matched;
+  [[nodiscard]] std::vector<Proposal> matched(std::vector<Proposal> proposals) {
+    prepare_scans_of(proposals);
+    run_in_parallel(proposals.size(), num_threads_, [&](std::size_t i) {
+      proposals[i] = compare_scans(proposals[i]);
+    });
+    std::erase_if(proposals, [](const Proposal& proposal) { return proposal.weight == 0.0; });
+    return proposals;
   }
 
-  [[nodiscard]] const PreparedScan& prepared(std::size_t keyframe) {
-    const auto [entry, is_new] = prepared_.try_emplace(keyframe);
-    if (is_new) entry->second = prepare(track_.keyframes[keyframe]->surfaces);
-    return entry->second;
+  /// With a weight of 0 where they do not match.
+  [[nodiscard]] Proposal compare_scans(Proposal proposal) const {
+    const MatchResult match =
+        setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
+    if (!match.T_reference_current) return proposal;
+    const Pose2& T_known_sought = *match.T_reference_current;
+    proposal.weight = vote_weight(match.status);
+    proposal.places = matched_places(
+        proposal.known, proposal.sought, T_known_sought, information_of_joint(params_));
+    proposal.places.score = match.score;
+    proposal.places.contradiction = match.contradiction;
+    proposal.T_map_piece =
+        T_map_sensor_[proposal.known] * T_known_sought * T_map_sensor_[proposal.sought].inverse();
+    return proposal;
+  }
+
+  void prepare_scans_of(const std::vector<Proposal>& proposals) {
+    std::vector<std::size_t> unprepared;
+    for (const Proposal& proposal : proposals) {
+      for (const std::size_t keyframe : {proposal.known, proposal.sought}) {
+        if (prepared_.try_emplace(keyframe).second) unprepared.push_back(keyframe);
+      }
+    }
+    run_in_parallel(unprepared.size(), num_threads_, [&](std::size_t i) {
+      prepared_.at(unprepared[i]) = prepare(track_.keyframes[unprepared[i]]->surfaces);
+    });
   }
 
   [[nodiscard]] static std::pair<std::size_t, std::size_t> pair_of(const Proposal& proposal) {
