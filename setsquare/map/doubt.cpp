@@ -24,6 +24,8 @@ const char* to_string(DoubtKind kind) {
       return "crossed walls";
     case DoubtKind::kNotClosed:
       return "loops not closed";
+    case DoubtKind::kNotSeen:
+      return "not seen";
   }
   return "unknown";
 }

@@ -21,10 +21,11 @@ enum class DoubtKind {
   kMirrored,            ///< Odometry or gyro turn the other way than the scans, all along.
   kCrossedWalls,        ///< Scans of the same place see through each other's walls over metres.
   kNotClosed,           ///< Loops could not be closed: the map is the track as it was driven.
+  kNotSeen,             ///< Many scans in a row that measured nothing: repeated, empty, or lost.
 };
 
 /// "contradicting pairs", "unknown length", "piece not joined", "outvoted closures", "undecided
-/// turn", "refused odometry", "may be mirrored", "crossed walls", "loops not closed".
+/// turn", "refused odometry", "may be mirrored", "crossed walls", "loops not closed", "not seen".
 [[nodiscard]] const char* to_string(DoubtKind kind);
 
 /// A place where the map may be wrong, and why.

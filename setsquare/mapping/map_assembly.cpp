@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/map_assembly.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
 #include <string>
+#include <vector>
 
 #include "setsquare/matching/base_frame.hpp"
 
@@ -83,15 +85,51 @@ void add_track(const MapParts& parts, Map& map) {
   }
 }
 
+/// Whether the robot went farther, or turned more, from one scan to another than in a step.
+bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step) {
+  constexpr double kMoved_m = 0.1;
+  constexpr double kMoved_rad = rad_from_deg(2.0);
+  constexpr double kSteps = 1.5;
+  const Pose2 moved = from.T_odom_sensor.inverse() * to.T_odom_sensor;
+  const auto way_m = [](const Pose2& motion) { return std::hypot(motion.x_m, motion.y_m); };
+  return way_m(moved) > std::max(kMoved_m, kSteps * way_m(step)) ||
+         std::abs(moved.theta_rad) > std::max(kMoved_rad, kSteps * std::abs(step.theta_rad));
+}
+
+/// Repeated scans that tell nothing of where the robot was: behind them it is elsewhere, or nothing
+/// is, for seconds. Where it is found where it was, it stood, and its scanner has no noise.
+std::vector<bool> unseen_repeats(std::span<const TrackedScan> scans) {
+  constexpr double kLongest_s = 3.0;
+  std::vector<bool> is_unseen(scans.size(), false);
+  for (std::size_t first = 1; first < scans.size(); ++first) {
+    if (!scans[first].tracked.is_same_again) continue;
+    std::size_t end = first;
+    while (end < scans.size() && scans[end].tracked.is_same_again) ++end;
+    bool is_unknown = seconds_between(scans[first].stamp, scans[end - 1].stamp) > kLongest_s;
+    if (end < scans.size()) {
+      const TrackedPose& behind = scans[end].tracked;
+      const Pose2 step =
+          scans[first - std::min<std::size_t>(first, 2)].tracked.T_odom_sensor.inverse() *
+          scans[first - 1].tracked.T_odom_sensor;
+      is_unknown = behind.status == TrackStatus::kLost || behind.is_restart ||
+                   has_moved(scans[first].tracked, behind, step);
+    }
+    std::fill_n(is_unseen.begin() + static_cast<std::ptrdiff_t>(first), end - first, is_unknown);
+    first = end;
+  }
+  return is_unseen;
+}
+
 void add_scans(const MapParts& parts, Map& map) {
   const std::vector<Pose2> T_map_sensor = poses_of_scans(parts, map.sessions);
+  const std::vector<bool> is_unseen = unseen_repeats(parts.scans);
   map.scans.reserve(parts.scans.size());
   for (std::size_t i = 0; i < parts.scans.size(); ++i) {
     const TrackedScan& scan = parts.scans[i];
     const double to_map_rad = T_map_sensor[i].theta_rad - scan.tracked.T_odom_sensor.theta_rad;
     const Eigen::Rotation2Dd to_map(to_map_rad);
     map.scans.push_back({.stamp = scan.stamp,
-                         .status = scan.tracked.status,
+                         .status = is_unseen[i] ? TrackStatus::kLost : scan.tracked.status,
                          .T_map_sensor = T_map_sensor[i],
                          .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse(),
                          .score = scan.tracked.score,

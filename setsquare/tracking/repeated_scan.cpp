@@ -18,7 +18,8 @@ bool RepeatedScan::add(const Scan& scan, const std::optional<Pose2>& T_wheels_ba
   T_wheels_base_ = T_wheels_base;
   is_same_ = scan.ranges_m == ranges_m_;
   if (!is_same_) ranges_m_ = scan.ranges_m;
-  return is_same_ && is_moved;
+  has_moved_ = is_same_ && (has_moved_ || is_moved);
+  return has_moved_;
 }
 
 }  // namespace setsquare

@@ -12,11 +12,12 @@ namespace setsquare {
 
 /// Finds scans that a driver hands on a second time: noise and the robot's motion change some range
 /// of every new scan. A robot that stands may see the same twice, so the wheels must have moved by
-/// a millimetre or a twentieth of a degree.
+/// a millimetre or a twentieth of a degree since the scan came first: from then on it tells
+/// nothing, whether the wheels rest again or not.
 class RepeatedScan {
  public:
-  /// Whether the scan is the one before again, range by range, while the wheels moved. To be called
-  /// for every scan.
+  /// Whether the scan is the one before again, range by range, and the wheels have moved since that
+  /// came first. To be called for every scan.
   [[nodiscard]] bool add(const Scan& scan, const std::optional<Pose2>& T_wheels_base);
 
   /// Whether the last scan added was the one before again, whatever the wheels did.
@@ -24,6 +25,7 @@ class RepeatedScan {
 
  private:
   bool is_same_ = false;
+  bool has_moved_ = false;  ///< Since a scan came first that is repeated.
   std::vector<double> ranges_m_;
   std::optional<Pose2> T_wheels_base_;
 };

@@ -55,6 +55,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = expected.has_odometry;
   tracked.is_long_step = long_steps_.are_usual();
+  tracked.is_same_again = is_same_again;
   tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);

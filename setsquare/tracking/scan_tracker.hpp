@@ -88,7 +88,7 @@ class ScanTracker {
   /// What is known of a scan before it is placed.
   enum class Situation {
     kSeesTooLittle,   ///< Fewer than min_points returns: lost; the submap stays as it is.
-    kSeesNothingNew,  ///< The last scan again while the wheels moved (RepeatedScan): the same.
+    kSeesNothingNew,  ///< The last scan again though the wheels moved (RepeatedScan): the same.
     kNoSubmap,        ///< Nothing to place it against: it begins a submap where it is predicted.
     kExpected,        ///< Near the predicted pose, but for a slip of tracking.
     kAnywhere,        ///< A gap in the log, and no odometry: it may be anywhere.

@@ -28,6 +28,9 @@ struct TrackedPose {
   bool is_restart = false;   ///< Lost for so long that the submap restarts with this scan.
   bool is_long_step = false;  ///< One of many: a log of key frames, a low rate (LongSteps).
   bool has_odometry = false;  ///< Whether odometry predicted it: its own and the last scan's.
+  /// The scan before again, range by range, and no odometry: it stands where that stands, and may
+  /// be of another place if a scanner hangs.
+  bool is_same_again = false;
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.
   double open_bound_share = 1.0;  ///< How far the walls bind it (SubmapRefinementParams).

@@ -69,6 +69,83 @@ TEST(MapperFaultyLogs, AScannerThatHangsNowAndThen) {
   expect_mapped(log);
 }
 
+/// From `hangs` on, up to `again`, the scanner sends its last scan again and again.
+Log log_of_hung_scanner(std::size_t hangs, std::size_t again) {
+  Log log;
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    if (i > hangs && i < again) log.scans[i] = log.scans[hangs];
+    log.scans[i].stamp.ns = 100'000'000 * static_cast<std::int64_t>(i);
+  }
+  return log;
+}
+
+Map map_of(const Log& log, bool has_odometry) {
+  Mapper mapper;
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    mapper.add(log.scans[i], has_odometry ? std::optional(log.odometry[i]) : std::nullopt);
+  }
+  return mapper.finish();
+}
+
+std::size_t num_unseen(const Map& map) {
+  std::size_t num = 0;
+  for (const MapDoubt& doubt : map.doubts) {
+    if (doubt.kind == DoubtKind::kNotSeen) num += doubt.num_scans;
+  }
+  return num;
+}
+
+void expect_errors_within_three_spreads(const Map& map, const Log& log) {
+  for (std::size_t i = 0; i < log.truth.size(); ++i) {
+    const Pose2 off = between(between(log.truth[0], log.truth[i]),
+                              between(map.scans[0].T_map_sensor, map.scans[i].T_map_sensor));
+    EXPECT_LT(std::hypot(off.x_m, off.y_m), 0.1 + 3.0 * map.scans[i].position_sigma_m) << i;
+  }
+}
+
+TEST(MapperFaultyLogs, WhereTheScannerHungIsNotKnownWithoutOdometry) {
+  const std::size_t num_scans = Log().scans.size();
+  const Log to_the_end = log_of_hung_scanner(num_scans / 2, num_scans);
+  const Map map = map_of(to_the_end, false);
+  EXPECT_EQ(num_unseen(map), num_scans - num_scans / 2 - 1);
+  expect_errors_within_three_spreads(map, to_the_end);
+
+  const Log for_a_while = log_of_hung_scanner(num_scans / 2, num_scans / 2 + 30);
+  const Map found_again = map_of(for_a_while, false);
+  EXPECT_EQ(num_unseen(found_again), 29U);
+  expect_errors_within_three_spreads(found_again, for_a_while);
+}
+
+TEST(MapperFaultyLogs, WhereTheScannerHungIsWhereTheWheelsHaveIt) {
+  const std::size_t num_scans = Log().scans.size();
+  Log log = log_of_hung_scanner(num_scans / 2, num_scans);
+  // The robot rests for a while meanwhile: the scan is no newer for that.
+  const std::size_t rest = 3 * num_scans / 4;
+  for (std::size_t i = rest; i < rest + 10; ++i) log.truth[i] = log.truth[rest];
+  log.odometry = log.truth;
+  const Map map = map_of(log, true);
+  EXPECT_EQ(num_unseen(map), num_scans - num_scans / 2 - 1);
+  for (std::size_t i = 0; i < log.truth.size(); ++i) {
+    ASSERT_THAT(between(map.scans[0].T_map_sensor, map.scans[i].T_map_sensor),
+                PoseNear(between(log.truth[0], log.truth[i]),
+                         PoseTolerance{.translation_m = 0.06, .rotation_rad = rad_from_deg(0.7)}))
+        << i;
+  }
+}
+
+TEST(MapperFaultyLogs, ARobotThatStandsIsNotInDoubtThoughItsScannerHasNoNoise) {
+  Log log;
+  log.truth.insert(log.truth.begin() + 100, 60, log.truth[100]);
+  log.scans = scans_on_drive(l_shaped_room(), log.truth, 0.0, Fan{360, -kPi, kTwoPi / 360.0});
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    log.scans[i].stamp.ns = 100'000'000 * static_cast<std::int64_t>(i);
+  }
+  const Map map = map_of(log, false);
+  ASSERT_EQ(log.scans[110].ranges_m, log.scans[120].ranges_m);
+  EXPECT_EQ(map.scans[120].status, TrackStatus::kTracked);
+  EXPECT_TRUE(map.doubts.empty());
+}
+
 TEST(MapperFaultyLogs, ErrorCodesAndDust) {
   Log log;
   auto generator = testing::make_generator();

@@ -67,9 +67,11 @@ TEST(RepeatedScan, IsOneOnlyWhileTheWheelsMove) {
   EXPECT_FALSE(repeated.add(scan, Pose2{})) << "the robot may stand";
   EXPECT_TRUE(repeated.add(scan, Pose2{0.05, 0.0, 0.0}));
   EXPECT_TRUE(repeated.add(scan, Pose2{0.05, 0.0, 0.01}));
-  EXPECT_FALSE(repeated.add(scan, std::nullopt)) << "nobody knows";
+  EXPECT_TRUE(repeated.add(scan, Pose2{0.05, 0.0, 0.01})) << "it hangs, though the wheels rest";
   scan.ranges_m[1] = 2.001;
   EXPECT_FALSE(repeated.add(scan, Pose2{0.2, 0.0, 0.0}));
+  EXPECT_FALSE(repeated.add(scan, std::nullopt)) << "nobody knows";
+  EXPECT_TRUE(repeated.is_same());
 }
 
 }  // namespace setsquare::odometry_watch_test

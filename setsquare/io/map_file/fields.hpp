@@ -26,7 +26,7 @@ inline constexpr auto kLastOf<ClosureAxes> = ClosureAxes::kY;
 template <>
 inline constexpr auto kLastOf<ConstraintKind> = ConstraintKind::kLoopClosure;
 template <>
-inline constexpr auto kLastOf<DoubtKind> = DoubtKind::kNotClosed;
+inline constexpr auto kLastOf<DoubtKind> = DoubtKind::kNotSeen;
 template <>
 inline constexpr auto kLastOf<GyroVerdict> = GyroVerdict::kUnlike;
 template <>

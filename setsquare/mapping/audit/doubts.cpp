@@ -24,6 +24,11 @@ constexpr std::size_t kMinOutvoted = 3;
 /// Those whose ends are no more scans apart are of the same part.
 constexpr double kOutvotedPart_m = 12.0;
 
+/// Lost scans in a row are in doubt from so long, and such spreads, on.
+constexpr double kLongUnseen_s = 2.0;
+constexpr double kUnseenSigma_m = 1.0;
+constexpr double kUnseenSigma_rad = rad_from_deg(10.0);
+
 /// A first and a last scan.
 struct ScanRange {
   std::size_t first = 0;
@@ -298,6 +303,40 @@ void add_unjoined(const Map& map, std::vector<MapDoubt>& doubts) {
   }
 }
 
+/// Scans that stand where they were expected, for long: a scanner that hung, was covered, or lost.
+void add_unseen(const Map& map, std::vector<MapDoubt>& doubts) {
+  const auto is_unseen = [](const MappedScan& scan) {
+    return scan.is_placed && scan.status == TrackStatus::kLost;
+  };
+  for (std::size_t first = 0; first < map.scans.size(); ++first) {
+    double sigma_m = 0.0;
+    double sigma_rad = 0.0;
+    std::size_t end = first;
+    for (; end < map.scans.size() && is_unseen(map.scans[end]); ++end) {
+      sigma_m = std::max(sigma_m, map.scans[end].position_sigma_m);
+      sigma_rad = std::max(sigma_rad, map.scans[end].heading_sigma_rad);
+    }
+    if (end == first) continue;
+    const ScanRange range{first, end - 1};
+    first = end;
+    const double time_s =
+        seconds_between(map.scans[range.first].stamp, map.scans[range.last].stamp);
+    const bool is_wide = sigma_m > kUnseenSigma_m || sigma_rad > kUnseenSigma_rad;
+    if (time_s < kLongUnseen_s || !is_wide) continue;
+    doubts.push_back(
+        doubt_at(map,
+                 DoubtKind::kNotSeen,
+                 range,
+                 middle_of(map, range),
+                 fmt::format("{} scans in a row, over {:.0f} s, tell nothing of where "
+                             "the robot was; it may be off by {}",
+                             range.last - range.first + 1,
+                             time_s,
+                             std::isfinite(sigma_m) ? fmt::format("{:.1f} m (sigma)", sigma_m)
+                                                    : "any distance")));
+  }
+}
+
 /// Two places that were taken for one: floors, twins, rooms behind a slip.
 void add_crossed_walls(const Map& map,
                        const AuditFindings& findings,
@@ -386,6 +425,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
   add_outvoted_closures(map, doubts);
   add_crossed_walls(map, findings, doubts);
   add_unknown_lengths(map, findings, params, doubts);
+  add_unseen(map, doubts);
   add_undecided_turns(map, doubts);
   add_unjoined(map, doubts);
   return doubts;
