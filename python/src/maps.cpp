@@ -63,6 +63,13 @@ struct ConstraintRow {
   double weight;
 };
 
+/// A row of Map.sessions.
+struct SessionRow {
+  std::int64_t first_scan;
+  std::int64_t num_scans;
+  std::int64_t recency;
+};
+
 /// A text of at most N characters, padded with zeros as NumPy's are.
 template <std::size_t N>
 void set_text(char (&to)[N], std::string_view text) {
@@ -248,6 +255,17 @@ infinite where the scan is not placed).)")
 i, axes bound (bytes "xy", "x", "y"), is_accepted, weight 0 to 1.)")
       .def_property_readonly(
           "graph", [](const PyMap& self) { return PyGraph{self.saved}; }, "The pose graph.")
+      .def_property_readonly(
+          "sessions",
+          [](const PyMap& self) {
+            return rows_of<SessionRow>(self.map().sessions, [](const MapSession& session) {
+              return SessionRow{static_cast<std::int64_t>(session.first_scan),
+                                static_cast<std::int64_t>(session.num_scans),
+                                static_cast<std::int64_t>(session.recency)};
+            });
+          },
+          R"(Structured array, a row a log that the map was made of: first_scan and num_scans of scans, recency
+(where walls changed, the grid shows what the highest saw).)")
       .def(
           "grid",
           [](const PyMap& self, int num_threads) {
@@ -327,6 +345,7 @@ void bind_maps(py::module_& module) {
                        position_sigma_m,
                        heading_sigma_rad);
   PYBIND11_NUMPY_DTYPE(ClosureRow, scan_i, scan_j, x_m, y_m, theta_rad, axes, is_accepted, weight);
+  PYBIND11_NUMPY_DTYPE(SessionRow, first_scan, num_scans, recency);
   bind_doubt(module);
   bind_graph(module);
   MapClass map(module, "Map", R"(What a mapper knows: poses, closures, doubts, the grid.

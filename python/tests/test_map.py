@@ -176,6 +176,9 @@ def test_a_map_is_gone_on_with_and_merged(log, mapped, tmp_path):
     for axis in ("x_m", "y_m"):
         assert np.abs(both.scans[axis][:count] - mapped.scans[axis]).max() < 0.05
         assert np.abs(both.scans[axis][count:] - mapped.scans[axis]).max() < 0.05
+    assert both.sessions[["first_scan", "num_scans"]].tolist() == [(0, count), (count, count)]
+    assert both.sessions["recency"][1] > both.sessions["recency"][0]
+    assert len(mapped.sessions) == 1
     # With nothing it stays as it is, and so it does merged with itself.
     assert np.array_equal(setsquare.Mapper(continue_from=mapped).finish().keyframes,
                           mapped.keyframes)
