@@ -52,7 +52,16 @@ function(setsquare_precompile_headers target)
     <vector>
     <gmock/gmock.h>
     <gtest/gtest.h>)
-  target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)  # as the programs
+  setsquare_compile_as_tests(${target})
+endfunction()
+
+# setsquare_compile_as_tests(TARGET)
+# The library is to be fast, not its tests: they compile in half the time.
+function(setsquare_compile_as_tests target)
+  target_compile_options(
+    ${target} PRIVATE $<$<CONFIG:Release>:-O1>
+                      # False alarms of GCC 12 (its bugs 105562, 105651).
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow>)
 endfunction()
 
 # setsquare_set_unity(TARGET)
@@ -90,11 +99,13 @@ function(setsquare_add_layer name)
   endif()
 endfunction()
 
-# setsquare_add_test(NAME [SOURCES a_test.cpp ...] LAYERS matching ... [LIBRARIES ...])
+# setsquare_add_test(NAME [SOURCES a_test.cpp ...] LAYERS matching ... [LIBRARIES ...] [LONG Suite.* ...])
 # One test program a layer: it links only its own layer and those below. Without SOURCES, all those
-# of the folder NAME.
+# of the folder NAME. LONG names the tests that get the label `long`: they map whole drives, to judge
+# a figure or to show a rule switched off, and other tests run the same lines on less. The sanitizers'
+# preset leaves them out.
 function(setsquare_add_test name)
-  cmake_parse_arguments(arg "" "" "SOURCES;LAYERS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "SOURCES;LAYERS;LIBRARIES;LONG" ${ARGN})
   if(NOT arg_SOURCES)
     file(GLOB arg_SOURCES CONFIGURE_DEPENDS "${name}/*.cpp" "${name}/*.hpp")
   endif()
@@ -105,11 +116,14 @@ function(setsquare_add_test name)
   # Each test file has a namespace of its own name, so that files can be compiled together.
   setsquare_set_unity(${name}_test)
   setsquare_precompile_headers(${name}_test setsquare_test_support)
-  target_compile_options(
-    ${name}_test
-    PRIVATE # The library is to be fast, not its tests: half of their compile time.
-            $<$<CONFIG:Release>:-O1>
-            # False alarms of GCC 12 (its bugs 105562, 105651).
-            $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized -Wno-restrict -Wno-stringop-overflow>)
-  gtest_discover_tests(${name}_test TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
+  setsquare_compile_as_tests(${name}_test)
+  set(discovery TEST_PREFIX ${name}. DISCOVERY_TIMEOUT 60)
+  if(NOT arg_LONG)
+    gtest_discover_tests(${name}_test ${discovery})
+    return()
+  endif()
+  list(JOIN arg_LONG ":" long)
+  gtest_discover_tests(${name}_test ${discovery} TEST_FILTER "-${long}")
+  gtest_discover_tests(${name}_test ${discovery} TEST_FILTER "${long}" TEST_LIST ${name}_long_TESTS
+                       PROPERTIES LABELS long)
 endfunction()
