@@ -124,27 +124,26 @@ foxglove::Client::Calls LiveRun::bridge_calls() {
   constexpr auto kSaidPose = std::numeric_limits<std::size_t>::max();
   std::map<std::pair<std::string, std::string>, std::size_t> wanted;  // by topic and type
   wanted[{kSaidPoseTopic, kSaidPoseType}] = kSaidPose;
+  said_poses_ = std::make_shared<SaidPoses>(*session_, options_.ros2.frames.map);
   for (const auto& [topic, type] : topics_of(options_.ros2)) {
     wanted[{topic, type}] = queue_->add(
         {.name = topic, .type = type, .definition = {}, .encoding = MessageEncoding::kCdr});
   }
-  return {
-      .on_channel = [wanted = std::move(wanted)](
-                        const foxglove::Channel& channel) -> std::optional<std::size_t> {
-        const auto found = wanted.find({channel.topic, channel.schema_name});
-        if (found == wanted.end() || channel.encoding != "cdr") return std::nullopt;
-        return found->second;
-      },
-      .on_message =
-          [to = queue_, poses = std::make_shared<SaidPoses>(*session_, options_.ros2.frames.map)](
-              std::size_t number, std::string_view data) {
-            if (number == kSaidPose) {
-              poses->take(data);
-            } else {
-              to->push(number, world_time(), data);
-            }
+  return {.on_channel = [wanted = std::move(wanted)](
+                            const foxglove::Channel& channel) -> std::optional<std::size_t> {
+            const auto found = wanted.find({channel.topic, channel.schema_name});
+            if (found == wanted.end() || channel.encoding != "cdr") return std::nullopt;
+            return found->second;
           },
-      .on_state = [](const std::string& state) { std::cerr << state << std::endl; }};
+          .on_message =
+              [to = queue_, poses = said_poses_](std::size_t number, std::string_view data) {
+                if (number == kSaidPose) {
+                  poses->take(data);
+                } else {
+                  to->push(number, world_time(), data);
+                }
+              },
+          .on_state = [](const std::string& state) { std::cerr << state << std::endl; }};
 }
 
 // --- The session, and who is shown ---------------------------------------------------------------
@@ -157,7 +156,8 @@ void LiveRun::make_session() {
                        .T_map_base_start = {},
                        .localisation = {}},
         .way_period_s = options_.live.map_period_s,
-        .keeps_poses = !options_.output_path.empty()};
+        .keeps_poses = !options_.output_path.empty(),
+        .behind = {.waits = !options_.is_of_network() && options_.speed == 0.0}};
     if (!options_.start.empty()) {
       options.localising.T_map_base_start =
           Pose2{options_.start[0], options_.start[1], wrap_to_pi(rad_from_deg(options_.start[2]))};
@@ -232,6 +232,15 @@ void LiveRun::end_shows() {
   {
     const std::lock_guard lock(outputs_mutex_);
     outputs_.clear();
+  }
+  if (node_) {
+    input_faults_ = node_->faults_of_input();
+  } else if (bridge_) {
+    input_faults_ = faults_of(*queue_);
+    if (said_poses_->num_refused() > 0) {
+      input_faults_.push_back(
+          fmt::format("{}: {} messages left out", kSaidPoseTopic, said_poses_->num_refused()));
+    }
   }
   bridge_.reset();
   node_.reset();
@@ -332,9 +341,7 @@ void LiveRun::tell_localised() const {
 
 void LiveRun::tell_input() const {
   if (latencies_.num() > 0) std::cout << "poses: " << latencies_.text() << " after the scan\n";
-  if (queue_ != nullptr && queue_->num_dropped() > 0) {
-    std::cout << fmt::format("{} messages dropped: too many came\n", queue_->num_dropped());
-  }
+  for (const std::string& fault : input_faults_) std::cout << fault << "\n";
 }
 
 }  // namespace setsquare::live_app

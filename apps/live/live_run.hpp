@@ -16,6 +16,7 @@
 #include "apps/live/live_options.hpp"
 #include "apps/live/live_output.hpp"
 #include "apps/live/ros2_node.hpp"
+#include "apps/live/said_poses.hpp"
 #include "apps/live/stop_signal.hpp"
 #include "apps/live/view_output.hpp"
 #include "setsquare/foxglove/client.hpp"
@@ -78,7 +79,8 @@ class LiveRun {
   std::function<Clock::time_point()> arrival_;  ///< Of the last record.
   std::unique_ptr<Journal> journal_;            ///< Null where nothing is kept.
   std::unique_ptr<LogReader> log_;
-  MessageQueue* queue_ = nullptr;  ///< Part of log_, where messages come by a network.
+  MessageQueue* queue_ = nullptr;          ///< Part of log_, where messages come by a network.
+  std::vector<std::string> input_faults_;  ///< As of end_shows().
   Latencies latencies_;
   std::atomic<bool> is_live_ = false;  ///< Else what is read was kept: nobody is shown it again.
 
@@ -89,6 +91,7 @@ class LiveRun {
   std::unique_ptr<MappingSession> mapping_;  ///< One of these two ...
   std::unique_ptr<LocalizingSession> localising_;
   LiveSession* session_ = nullptr;            ///< ... which is this.
+  std::shared_ptr<SaidPoses> said_poses_;     ///< By the bridge.
   std::unique_ptr<ViewOutput> view_;          ///< Its threads use the session.
   std::unique_ptr<Ros2Node> node_;            ///< Likewise.
   std::unique_ptr<foxglove::Client> bridge_;  ///< Its thread uses the queue.

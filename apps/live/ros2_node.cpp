@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t kHeaderBytes = 4;  ///< Of a message; replies are written behind theirs.
 constexpr const char* kOwnServices = "/setsquare/";
 constexpr const char* kSlamToolboxServices = "/slam_toolbox/";
-constexpr std::chrono::seconds kSilence(2);  ///< A publisher that says nothing for so long is gone.
 
 std::string behind_header(const ros::CdrWriter& writer) {
   return writer.message().substr(kHeaderBytes);
@@ -97,6 +96,18 @@ std::vector<std::pair<std::string, std::string>> topics_of(const Ros2Options& op
   return topics;
 }
 
+std::vector<std::string> faults_of(const MessageQueue& queue) {
+  std::vector<std::string> faults;
+  if (queue.num_dropped() > 0) {
+    faults.push_back(fmt::format("{} messages dropped: too many came", queue.num_dropped()));
+  }
+  if (queue.num_left_out() > 0) {
+    faults.push_back(fmt::format("{} messages left out: damaged, or against what others say",
+                                 queue.num_left_out()));
+  }
+  return faults;
+}
+
 Timestamp world_time() {
   const auto now = std::chrono::system_clock::now().time_since_epoch();
   return {std::chrono::duration_cast<std::chrono::nanoseconds>(now).count()};
@@ -133,38 +144,34 @@ void Ros2Node::listen() {
 }
 
 void Ros2Node::subscribe(const std::string& topic, const std::string& type) {
-  const std::size_t index = queue_.add(
-      {.name = topic, .type = type, .definition = {}, .encoding = MessageEncoding::kCdr});
+  const MessageTopic added{.name = topic,
+                           .type = plain_type_name(type),
+                           .definition = {},
+                           .encoding = MessageEncoding::kCdr};
+  const std::size_t index = queue_.add(added);
   const Subscribed subscribed = subscribed_as(topic, type);
-  participant_->subscribe(topic,
-                          type,
-                          subscribed.qos,
-                          [this, topic, index, has_one_source = subscribed.has_one_source](
-                              std::string_view cdr, std::uint64_t writer) {
-                            if (has_one_source && !is_of_source(topic, writer)) return;
-                            queue_.push(index, world_time(), cdr);
-                          });
-}
-
-bool Ros2Node::is_of_source(const std::string& topic, std::uint64_t writer) {
-  const auto now = Clock::now();
-  const std::lock_guard lock(mutex_);
-  Source& source = sources_[topic];
-  if (source.writer != writer && source.writer != 0 && now - source.last < kSilence) {
-    ++source.num_of_others;
-    return false;
+  OnePublisher* one = nullptr;
+  if (subscribed.has_one_source) {
+    const std::lock_guard lock(mutex_);
+    one = &publishers_.try_emplace(topic, added).first->second;
   }
-  source.writer = writer;
-  source.last = now;
-  return true;
+  participant_->subscribe(
+      topic, type, subscribed.qos, [this, one, index](std::string_view cdr, std::uint64_t writer) {
+        if (one != nullptr) {
+          const std::lock_guard lock(mutex_);
+          if (!one->hears(writer, cdr, Clock::now())) return;
+        }
+        queue_.push(index, world_time(), cdr);
+      });
 }
 
 void Ros2Node::hear_poses(LiveSession& session) {
-  const auto poses = std::make_shared<SaidPoses>(session, options_.frames.map);
+  said_poses_ = std::make_shared<SaidPoses>(session, options_.frames.map);
   participant_->subscribe(
-      kSaidPoseTopic, kSaidPoseType, {.depth = 10}, [poses](std::string_view cdr, std::uint64_t) {
-        poses->take(cdr);
-      });
+      kSaidPoseTopic,
+      kSaidPoseType,
+      {.depth = 10},
+      [poses = said_poses_](std::string_view cdr, std::uint64_t) { poses->take(cdr); });
 }
 
 // --- What goes -----------------------------------------------------------------------------------
@@ -268,34 +275,42 @@ void Ros2Node::tell_until_end(LiveSession& session) {
   }
 }
 
+std::vector<std::string> Ros2Node::faults_of_input() const {
+  std::vector<std::string> faults = faults_of(queue_);
+  if (const std::uint64_t num_refused = participant_->num_refused(); num_refused > 0) {
+    faults.push_back(fmt::format("{} messages refused: too large, or none", num_refused));
+  }
+  if (said_poses_ && said_poses_->num_refused() > 0) {
+    faults.push_back(
+        fmt::format("{}: {} messages left out", kSaidPoseTopic, said_poses_->num_refused()));
+  }
+  const std::lock_guard lock(mutex_);
+  for (const auto& [topic, publisher] : publishers_) {
+    if (publisher.num_of_others() == 0) continue;
+    faults.push_back(fmt::format("{} is published by several nodes: {} messages of others left out",
+                                 topic,
+                                 publisher.num_of_others()));
+  }
+  return faults;
+}
+
 ros::DiagnosticArray Ros2Node::diagnostics(const LiveSession& session) {
   LiveReport report = session.report();
   std::vector<std::string>& warnings = report.warnings;
   {
     const std::lock_guard lock(mutex_);
-    const double silent_s = std::chrono::duration<double>(Clock::now() - last_pose_).count();
-    if (silent_s > std::chrono::duration<double>(kSilence).count()) {
-      warnings.push_back(fmt::format("no scan for {:.0f} s", silent_s));
-    }
-    for (const auto& [topic, source] : sources_) {
-      if (source.num_of_others == 0) continue;
+    const auto silent = Clock::now() - last_pose_;
+    if (silent > OnePublisher::kSilence) {
       warnings.push_back(
-          fmt::format("{} is published by several nodes: {} messages of others left out",
-                      topic,
-                      source.num_of_others));
+          fmt::format("no scan for {:.0f} s", std::chrono::duration<double>(silent).count()));
     }
   }
   if (session.is_paused()) warnings.emplace_back("paused");
-  const std::uint64_t num_dropped = queue_.num_dropped();
-  const std::uint64_t num_refused = participant_->num_refused();
-  if (num_dropped > 0) {
-    warnings.push_back(fmt::format("{} messages dropped: too many came", num_dropped));
-  }
-  if (num_refused > 0) {
-    warnings.push_back(fmt::format("{} messages refused: too large, or none", num_refused));
-  }
-  report.values.emplace_back("messages dropped", std::to_string(num_dropped));
-  report.values.emplace_back("messages refused", std::to_string(num_refused));
+  const std::vector<std::string> faults = faults_of_input();
+  warnings.insert(warnings.end(), faults.begin(), faults.end());
+  report.values.emplace_back("messages dropped", std::to_string(queue_.num_dropped()));
+  report.values.emplace_back("messages left out", std::to_string(queue_.num_left_out()));
+  report.values.emplace_back("messages refused", std::to_string(participant_->num_refused()));
   ros::DiagnosticStatus status;
   status.name = "setsquare: " + report.task;
   status.message = warnings.empty() ? report.doing : fmt::format("{}", fmt::join(warnings, "; "));

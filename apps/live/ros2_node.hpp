@@ -16,9 +16,11 @@
 
 #include "apps/live/live_output.hpp"
 #include "apps/live/ros2_messages.hpp"
+#include "apps/live/said_poses.hpp"
 #include "setsquare/dds/participant.hpp"
 #include "setsquare/live/live_session.hpp"
 #include "setsquare/live/message_queue.hpp"
+#include "setsquare/live/one_publisher.hpp"
 
 namespace setsquare::live_app {
 
@@ -34,6 +36,9 @@ struct Ros2Options {
 /// The topics that live mapping reads, with their types, mountings first.
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> topics_of(
     const Ros2Options& options);
+
+/// What is wrong with what has come into a queue, a few words each.
+[[nodiscard]] std::vector<std::string> faults_of(const MessageQueue& queue);
 
 /// Of the world's clock, as log times are.
 [[nodiscard]] Timestamp world_time();
@@ -60,6 +65,9 @@ class Ros2Node final : public LiveOutput {
   /// outlive the node.
   void serve(LiveSession& session, Save save);
 
+  /// What is wrong with what has come, a few words each. By any thread.
+  [[nodiscard]] std::vector<std::string> faults_of_input() const;
+
   void show_pose(const LogRecord& record, const LivePose& pose) override;
   void show_map(const LiveMapPtr& map) override;
   void show_way(const Trajectory& way) override;
@@ -67,17 +75,9 @@ class Ros2Node final : public LiveOutput {
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Whose messages of a topic are taken: those of the first publisher, as long as it speaks.
-  struct Source {
-    std::uint64_t writer = 0;
-    Clock::time_point last;
-    std::uint64_t num_of_others = 0;
-  };
-
   void subscribe(const std::string& topic, const std::string& type);
   /// /initialpose: where somebody says that the robot is.
   void hear_poses(LiveSession& session);
-  [[nodiscard]] bool is_of_source(const std::string& topic, std::uint64_t writer);
   void serve_own(LiveSession& session, const Save& save);
   void serve_as_slam_toolbox(LiveSession& session, const Save& save);
   void tell_until_end(LiveSession& session);
@@ -95,10 +95,12 @@ class Ros2Node final : public LiveOutput {
   std::shared_ptr<dds::Publisher> diagnostics_;
   bool has_wheels_ = false;  ///< Of the thread that tracks.
 
-  std::mutex mutex_;  ///< All below.
+  std::shared_ptr<SaidPoses> said_poses_;
+
+  mutable std::mutex mutex_;  ///< All below.
   std::condition_variable is_ending_told_;
   bool is_ending_ = false;
-  std::map<std::string, Source> sources_;  ///< By topic.
+  std::map<std::string, OnePublisher> publishers_;  ///< By topic, of those that one may speak on.
   Clock::time_point last_pose_ = Clock::now();
   std::size_t num_poses_ = 0;
 

@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/live/said_poses.hpp"
 
-#include <cmath>
 #include <Eigen/Geometry>
 #include <iostream>
 #include <utility>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/io/ros/mounting.hpp"
+#include "setsquare/io/ros/transform_tree.hpp"
 
 namespace setsquare::live_app {
 
@@ -19,32 +20,33 @@ SaidPoses::SaidPoses(LiveSession& session, std::string map_frame)
                             .definition = {},
                             .encoding = MessageEncoding::kCdr}) {}
 
-std::string_view SaidPoses::fault_of(std::string_view cdr) {
-  if (const std::string_view fault = decoder_.decode(cdr, message_); !fault.empty()) return fault;
-  std::string_view frame = message_.frame_id;
-  if (frame.starts_with('/')) frame.remove_prefix(1);
-  if (!frame.empty() && frame != map_frame_) return "its frame is not that of the map";
-  if (!message_.position_m.allFinite() || !message_.orientation.coeffs().allFinite() ||
-      message_.orientation.norm() < 0.5) {
-    return "it is no pose";
+std::string SaidPoses::fault_of(std::string_view cdr) {
+  if (const std::string_view fault = decoder_.decode(cdr, message_); !fault.empty()) {
+    return std::string(fault);
   }
-  return {};
+  const std::string_view frame = ros::plain_frame_name(message_.frame_id);
+  if (!frame.empty() && frame != map_frame_) return "its frame is not that of the map";
+  const ros::TransformFault fault = ros::fault_of_pose(message_.position_m, message_.orientation);
+  return ros::is_refused(fault) ? std::string(ros::to_text(fault)) : std::string();
+}
+
+std::string SaidPoses::refusal() {
+  const Eigen::Isometry3d T_map_base = Eigen::Translation3d(message_.position_m) *
+                                       Eigen::Isometry3d(message_.orientation.normalized());
+  try {
+    if (session_.set_pose(ros::planar_pose(T_map_base))) return {};
+    return "a pose has no meaning while a map is made";
+  } catch (const ParameterError& error) {
+    return error.what();
+  }
 }
 
 void SaidPoses::take(std::string_view cdr) {
   const std::lock_guard lock(mutex_);
-  if (const std::string_view fault = fault_of(cdr); !fault.empty()) {
-    if (!is_refusal_told_) std::cerr << kSaidPoseTopic << ": left out: " << fault << std::endl;
-    is_refusal_told_ = true;
-    return;
-  }
-  const Eigen::Isometry3d T_map_base = Eigen::Translation3d(message_.position_m) *
-                                       Eigen::Isometry3d(message_.orientation.normalized());
-  if (session_.set_pose(ros::planar_pose(T_map_base))) return;
-  if (!is_refusal_told_) {
-    std::cerr << kSaidPoseTopic << " has no meaning while a map is made: left out" << std::endl;
-  }
-  is_refusal_told_ = true;
+  std::string reason = fault_of(cdr);
+  if (reason.empty()) reason = refusal();
+  if (reason.empty()) return;
+  if (num_refused_++ == 0) std::cerr << kSaidPoseTopic << ": left out: " << reason << std::endl;
 }
 
 }  // namespace setsquare::live_app

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <mutex>
 #include <string>
 #include <string_view>
@@ -22,18 +24,24 @@ class SaidPoses {
   /// `map_frame`: in which poses must be given.
   SaidPoses(LiveSession& session, std::string map_frame);
 
-  /// A message of the topic. What cannot be used is told on standard error.
+  /// A message of the topic. What cannot be used is counted, and the first is told on standard
+  /// error.
   void take(std::string_view cdr);
+  /// Messages that could not be used.
+  [[nodiscard]] std::uint64_t num_refused() const { return num_refused_; }
 
  private:
-  [[nodiscard]] std::string_view fault_of(std::string_view cdr);
+  /// Why the message is none; empty where it is in message_.
+  [[nodiscard]] std::string fault_of(std::string_view cdr);
+  /// Why the session does not take the pose of message_; empty where it does.
+  [[nodiscard]] std::string refusal();
 
   LiveSession& session_;
   std::string map_frame_;
+  std::atomic<std::uint64_t> num_refused_ = 0;
   std::mutex mutex_;  ///< All below.
   ros::MessageDecoder<ros::PoseWithCovarianceStamped> decoder_;
   ros::PoseWithCovarianceStamped message_;
-  bool is_refusal_told_ = false;
 };
 
 }  // namespace setsquare::live_app

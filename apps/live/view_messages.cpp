@@ -27,15 +27,6 @@ std::string text_of_json(const ViewJson& json) {
 /// So many that few are left out.
 std::size_t stride_of(std::size_t num, std::size_t most) { return (num + most - 1) / most; }
 
-std::optional<double> finite_number(const ViewJson& json, const char* name) {
-  constexpr double kFarthest = 1e6;
-  const auto found = json.find(name);
-  if (found == json.end() || !found->is_number()) return std::nullopt;
-  const double value = found->get<double>();
-  if (!(std::abs(value) <= kFarthest)) return std::nullopt;
-  return value;
-}
-
 }  // namespace
 
 std::string view_map(const LiveMap& map) {
@@ -107,10 +98,16 @@ std::string view_report(const LiveSession& session, bool can_save) {
   const LiveReport report = session.report();
   ViewJson values = ViewJson::array();
   for (const auto& [name, value] : report.values) values.push_back({name, value});
+  ViewJson places = ViewJson::array();
+  for (const LikelyPlace& place : report.places) {
+    const Pose2& T = place.T_map_base;
+    places.push_back({for_screen(T.x_m), for_screen(T.y_m), T.theta_rad, place.probability});
+  }
   return text_of_json({{"type", "report"},
                        {"doing", report.doing},
                        {"warnings", report.warnings},
                        {"values", std::move(values)},
+                       {"places", std::move(places)},
                        {"paused", session.is_paused()},
                        {"canSave", can_save},
                        {"canSetPose", report.task == "localisation"}});
@@ -118,29 +115,6 @@ std::string view_report(const LiveSession& session, bool can_save) {
 
 std::string view_answer(bool is_done, const std::string& text) {
   return text_of_json({{"type", "answer"}, {"ok", is_done}, {"text", text}});
-}
-
-std::optional<ViewCommand> parse_view_command(const std::string& text) {
-  const ViewJson json = ViewJson::parse(text, nullptr, false);
-  if (!json.is_object()) return std::nullopt;
-  const auto what = json.find("do");
-  if (what == json.end() || !what->is_string()) return std::nullopt;
-  ViewCommand command;
-  if (*what == "save") return command;
-  if (*what == "pause") {
-    const auto on = json.find("on");
-    if (on == json.end() || !on->is_boolean()) return std::nullopt;
-    command.kind = ViewCommand::Kind::kPause;
-    command.is_on = on->get<bool>();
-    return command;
-  }
-  const auto x_m = finite_number(json, "x");
-  const auto y_m = finite_number(json, "y");
-  const auto heading_rad = finite_number(json, "heading");
-  if (*what != "set_pose" || !x_m || !y_m || !heading_rad) return std::nullopt;
-  command.kind = ViewCommand::Kind::kSetPose;
-  command.T_map_base = {*x_m, *y_m, *heading_rad};
-  return command;
 }
 
 }  // namespace setsquare::live_app

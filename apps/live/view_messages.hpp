@@ -1,10 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// What the page of the live view is told, as JSON, and what it asks for. Lengths in m, angles in
-// rad, all in the map frame but the scan's points.
+// What the page of the live view is told, as JSON; what it asks for is in view/command. Lengths in
+// m, angles in rad, all in the map frame but the scan's points.
 #pragma once
 
-#include <optional>
 #include <string>
 
 #include "setsquare/core/trajectory.hpp"
@@ -28,17 +27,5 @@ namespace setsquare::live_app {
 
 /// {"type": "answer", "ok": true, "text": "..."}.
 [[nodiscard]] std::string view_answer(bool is_done, const std::string& text);
-
-/// What a page asks for.
-struct ViewCommand {
-  enum class Kind { kSave, kPause, kSetPose };
-
-  Kind kind = Kind::kSave;
-  bool is_on = false;  ///< Of kPause.
-  Pose2 T_map_base;    ///< Of kSetPose.
-};
-
-/// Nothing where the text is no command.
-[[nodiscard]] std::optional<ViewCommand> parse_view_command(const std::string& text);
 
 }  // namespace setsquare::live_app

@@ -3,11 +3,13 @@
 #include "apps/live/view_output.hpp"
 
 #include <array>
+#include <chrono>
 #include <exception>
 #include <utility>
 
 #include "apps/live/view_messages.hpp"
 #include "setsquare/report/page_template.hpp"
+#include "setsquare/view/command.hpp"
 #include "setsquare/view/page_web.hpp"
 
 namespace setsquare::live_app {
@@ -41,10 +43,10 @@ ViewOutput::~ViewOutput() {
 }
 
 void ViewOutput::show_pose(const LogRecord& record, const LivePose& pose) {
-  constexpr std::chrono::milliseconds kPeriod(100);  // More than eyes can follow is not sent.
-  if (server_.num_clients() == 0 || Clock::now() < next_pose_) return;
-  next_pose_ = Clock::now() + kPeriod;
-  server_.show(view::Shown::kPose, view_pose(pose, record.scan));
+  const std::lock_guard lock(mutex_);
+  pose_ = pose;
+  scan_ = record.scan;
+  has_new_pose_ = true;
 }
 
 void ViewOutput::show_map(const LiveMapPtr& map) {
@@ -58,13 +60,16 @@ void ViewOutput::show_way(const Trajectory& way) {
 }
 
 void ViewOutput::tell_until_end() {
-  constexpr std::chrono::milliseconds kPeriod(250);
+  constexpr std::chrono::milliseconds kPeriod(100);  // More than eyes can follow is not sent.
   std::unique_lock lock(mutex_);
   while (!is_ending_told_.wait_for(lock, kPeriod, [this] { return is_ending_; })) {
     if (server_.num_clients() == 0) continue;
     const LiveMapPtr map = std::exchange(map_, nullptr);
     const std::optional<Trajectory> way = std::exchange(way_, std::nullopt);
+    std::optional<std::pair<LivePose, Scan>> seen;
+    if (std::exchange(has_new_pose_, false)) seen.emplace(pose_, scan_);
     lock.unlock();
+    if (seen) server_.show(view::Shown::kPose, view_pose(seen->first, seen->second));
     server_.show(view::Shown::kReport, view_report(session_, can_save_));
     if (map) {
       if (std::string text = view_map(*map); !text.empty()) {
@@ -77,16 +82,16 @@ void ViewOutput::tell_until_end() {
 }
 
 std::string ViewOutput::carry_out(const std::string& text) {
-  const std::optional<ViewCommand> command = parse_view_command(text);
+  const std::optional<view::Command> command = view::parse_command(text);
   if (!command) return view_answer(false, "not understood");
   try {
     switch (command->kind) {
-      case ViewCommand::Kind::kSave:
+      case view::Command::Kind::kSave:
         return view_answer(true, save_(""));
-      case ViewCommand::Kind::kPause:
+      case view::Command::Kind::kPause:
         session_.pause(command->is_on);
         return view_answer(true, command->is_on ? "paused" : "going on");
-      case ViewCommand::Kind::kSetPose:
+      case view::Command::Kind::kSetPose:
         if (session_.set_pose(command->T_map_base)) return view_answer(true, "the pose is tried");
         return view_answer(false, "a pose has no meaning while a map is made");
     }

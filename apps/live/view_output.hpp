@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -37,21 +36,21 @@ class ViewOutput final : public LiveOutput {
   [[nodiscard]] std::uint16_t port() const { return server_.port(); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   void tell_until_end();
   [[nodiscard]] std::string carry_out(const std::string& text);
 
   LiveSession& session_;
   const bool can_save_;
   const Save save_;
-  Clock::time_point next_pose_;  ///< Of the thread that tracks.
 
   std::mutex mutex_;  ///< All below.
   std::condition_variable is_ending_told_;
   bool is_ending_ = false;
   LiveMapPtr map_;  ///< Not yet told.
   std::optional<Trajectory> way_;
+  LivePose pose_;  ///< Of the last scan ...
+  Scan scan_;      ///< ... and that scan: whoever opens the page behind it is to see it, too.
+  bool has_new_pose_ = false;
 
   view::Server server_;
   std::thread teller_;

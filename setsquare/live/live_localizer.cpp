@@ -20,8 +20,11 @@ namespace setsquare {
 /// the first to it, what it last said of the place comes back.
 class LiveLocalizer::Parts {
  public:
-  Parts(std::shared_ptr<const KnownMap> map, const LocalisationParams& params, OnPlace on_place)
-      : on_place_(std::move(on_place)), hypotheses_(std::move(map), params) {
+  Parts(std::shared_ptr<const KnownMap> map,
+        const LocalisationParams& params,
+        OnPlace on_place,
+        const Behind& behind)
+      : behind_(behind), on_place_(std::move(on_place)), hypotheses_(std::move(map), params) {
     placer_ = std::thread([this] { place_until_end(); });
   }
   ~Parts() {
@@ -46,6 +49,10 @@ class LiveLocalizer::Parts {
     const std::lock_guard lock(mutex_);
     return work_.size() + (is_at_work_ ? 1 : 0);
   }
+  std::size_t num_left_out() const {
+    const std::lock_guard lock(mutex_);
+    return num_left_out_;
+  }
   std::optional<LocalisedPose> last_place() const {
     const std::lock_guard lock(mutex_);
     return last_ ? std::optional(last_->place) : std::nullopt;
@@ -58,6 +65,10 @@ class LiveLocalizer::Parts {
     Scan scan;
     std::size_t run = 0;
     std::optional<Pose2> said;  ///< Before it is placed.
+
+    [[nodiscard]] Pose2 T_track_base() const {
+      return tracked.T_odom_sensor * scan.T_base_sensor.inverse();
+    }
   };
   /// What is known of the place, in which run of tracking.
   struct Known {
@@ -66,9 +77,11 @@ class LiveLocalizer::Parts {
     std::size_t run = 0;
   };
 
+  void leave_out_oldest();
   void place_until_end();
   [[nodiscard]] Known placed(const Work& work);
 
+  const Behind behind_;
   const OnPlace on_place_;
   LocalizerTracker tracker_;  ///< Of the caller's thread, as the two below.
   std::size_t run_ = 0;       ///< Where tracking lost the robot, another one begins.
@@ -79,6 +92,7 @@ class LiveLocalizer::Parts {
   std::condition_variable has_work_;
   std::condition_variable has_placed_;
   std::deque<Work> work_;
+  std::size_t num_left_out_ = 0;
   std::optional<Pose2> said_;
   std::optional<Known> last_;
   bool is_at_work_ = false;
@@ -112,11 +126,31 @@ LivePose LiveLocalizer::Parts::add(const Scan& scan, const std::optional<Pose2>&
     pose.T_map_odom = pose.T_map_base * pose.T_odom_base.inverse();
     pose.covariance = last_->place.covariance;
   }
-  has_placed_.wait(lock, [this] { return failure_ || work_.size() < kMaxBehind; });
+  if (behind_.waits) {
+    has_placed_.wait(lock, [this] { return failure_ || work_.size() < behind_.max_scans; });
+  }
+  while (work_.size() >= behind_.max_scans) leave_out_oldest();
   work.said = std::exchange(said_, std::nullopt);
   work_.push_back(std::move(work));
   has_work_.notify_one();
   return pose;
+}
+
+/// With the lock held. What the scan that goes said beside its walls, the next one says: that
+/// tracking began anew with it, or where the robot is, which has moved since.
+void LiveLocalizer::Parts::leave_out_oldest() {
+  const Work oldest = std::move(work_.front());
+  work_.pop_front();
+  ++num_left_out_;
+  if (work_.empty()) return;
+  Work& next = work_.front();
+  if (!next.said && oldest.said && next.run == oldest.run) {
+    next.said = *oldest.said * (oldest.T_track_base().inverse() * next.T_track_base());
+  }
+  if (oldest.tracked.is_restart && !oldest.tracked.has_odometry) {
+    next.tracked.is_restart = true;
+    next.tracked.has_odometry = false;
+  }
 }
 
 void LiveLocalizer::Parts::finish() {
@@ -163,8 +197,13 @@ LiveLocalizer::Parts::Known LiveLocalizer::Parts::placed(const Work& work) {
 
 LiveLocalizer::LiveLocalizer(std::shared_ptr<const KnownMap> map,
                              const LocalisationParams& params,
+                             OnPlace on_place,
+                             const Behind& behind)
+    : parts_(std::make_unique<Parts>(std::move(map), params, std::move(on_place), behind)) {}
+LiveLocalizer::LiveLocalizer(std::shared_ptr<const KnownMap> map,
+                             const LocalisationParams& params,
                              OnPlace on_place)
-    : parts_(std::make_unique<Parts>(std::move(map), params, std::move(on_place))) {}
+    : LiveLocalizer(std::move(map), params, std::move(on_place), Behind{}) {}
 LiveLocalizer::~LiveLocalizer() = default;
 
 LivePose LiveLocalizer::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
@@ -173,6 +212,7 @@ LivePose LiveLocalizer::add(const Scan& scan, const std::optional<Pose2>& T_whee
 void LiveLocalizer::finish() { parts_->finish(); }
 void LiveLocalizer::set_pose(const Pose2& T_map_base) { parts_->set_pose(T_map_base); }
 std::size_t LiveLocalizer::num_behind() const { return parts_->num_behind(); }
+std::size_t LiveLocalizer::num_left_out() const { return parts_->num_left_out(); }
 std::optional<LocalisedPose> LiveLocalizer::last_place() const { return parts_->last_place(); }
 
 }  // namespace setsquare

@@ -22,16 +22,27 @@ namespace setsquare {
 ///   for each scan: publish(localizer.add(scan, T_wheels_base));
 ///   localizer.finish();  // on_place was told what Localizer::add() would have given, scan by scan
 ///
-/// Memory is bounded: where the search falls too far behind, add() waits for it.
+/// Memory is bounded: where the search falls too far behind, it leaves out the oldest scans that
+/// wait, so that tracking never waits for it.
 class LiveLocalizer {
  public:
-  /// Scans that may wait for being placed: 25 s of a fast scanner's, some 10 MB.
-  static constexpr std::size_t kMaxBehind = 1024;
+  /// How far the search may fall behind.
+  struct Behind {
+    /// Scans that may wait for being placed: 25 s of a fast scanner's, some 10 MB. Not 0.
+    std::size_t max_scans = 1024;
+    /// add() waits where so many do, and none is left out: for a log that nobody drives.
+    bool waits = false;
+  };
 
   /// Told of each scan's place in its turn, on the other thread; must not call the localizer.
   using OnPlace = std::function<void(const LocalisedPose&)>;
 
   /// Throws ParameterError that names the field.
+  LiveLocalizer(std::shared_ptr<const KnownMap> map,
+                const LocalisationParams& params,
+                OnPlace on_place,
+                const Behind& behind);
+  /// The same, with the usual Behind.
   LiveLocalizer(std::shared_ptr<const KnownMap> map,
                 const LocalisationParams& params,
                 OnPlace on_place);
@@ -53,6 +64,8 @@ class LiveLocalizer {
   void set_pose(const Pose2& T_map_base);
   /// Scans that wait for being placed.
   [[nodiscard]] std::size_t num_behind() const;
+  /// Scans that were left out: the search was too far behind. Nobody was told their places.
+  [[nodiscard]] std::size_t num_left_out() const;
   /// Of the last scan that is placed.
   [[nodiscard]] std::optional<LocalisedPose> last_place() const;
 

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "setsquare/core/pose2.hpp"
 #include "setsquare/core/trajectory.hpp"
 #include "setsquare/io/logs/log_reader.hpp"
 #include "setsquare/live/live_pose.hpp"
@@ -29,12 +30,21 @@ struct LiveWatcher {
   std::function<void()> on_reset = {};
 };
 
+/// Where a robot may be that is not localised, or may be after all.
+struct LikelyPlace {
+  Pose2 T_map_base;
+  double probability = 0.0;
+};
+
 /// How a session does, for people and for /diagnostics.
 struct LiveReport {
   std::string task;                   ///< "mapping", "localisation".
   std::string doing;                  ///< "mapping", "localised", "lost".
   std::vector<std::string> warnings;  ///< What is not as it should be, a few words each.
   std::vector<std::pair<std::string, std::string>> values;  ///< Names and figures.
+  /// In a known map: where the robot may be, too, the most probable first; where it is not
+  /// localised the first of all. None below 1 %.
+  std::vector<LikelyPlace> places = {};
 };
 
 /// A run on a log that comes while the robot drives, or as if it did, with a robot's wishes: pause,

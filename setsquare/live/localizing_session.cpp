@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <utility>
+#include <vector>
 
 #include "setsquare/core/error.hpp"
 
@@ -13,6 +14,30 @@ namespace {
 
 /// A kilometre or more.
 constexpr std::size_t kLongestWay = 10000;
+
+/// As LiveReport has them.
+std::vector<LikelyPlace> places_of(const LocalisedPose& place) {
+  constexpr double kLeast = 0.01;
+  const Pose2 T_sensor_base = place.T_map_sensor.inverse() * place.T_map_base;
+  std::vector<LikelyPlace> places;
+  if (place.status != LocalisationStatus::kLocalised && place.probability >= kLeast) {
+    places.push_back({place.T_map_base, place.probability});
+  }
+  for (const PossiblePlace& other : place.alternatives) {
+    if (other.probability < kLeast) continue;
+    places.push_back({other.T_map_sensor * T_sensor_base, other.probability});
+  }
+  return places;
+}
+
+/// Whether a pose that is known to about 1 m may be in a map.
+bool is_near(const OccupancyGrid& grid, const Pose2& T_map_base) {
+  constexpr double kKnownTo_m = 1.0;
+  const Eigen::Array2d p_m = (grid.T_map_grid().inverse() * T_map_base.translation()).array();
+  const Eigen::Array2d size_m =
+      grid.resolution_m() * Eigen::Array2d(grid.num_columns(), grid.num_rows());
+  return (p_m >= -kKnownTo_m).all() && (p_m <= size_m + kKnownTo_m).all();
+}
 
 }  // namespace
 
@@ -37,7 +62,10 @@ LocalizingSession::LocalizingSession(std::string name,
 std::shared_ptr<LiveLocalizer> LocalizingSession::made_localizer() {
   const LocalizeLogOptions& localising = options_.localising;
   auto localizer = std::make_shared<LiveLocalizer>(
-      known_map_, localising.localisation, [this](const LocalisedPose& place) { take(place); });
+      known_map_,
+      localising.localisation,
+      [this](const LocalisedPose& place) { take(place); },
+      options_.behind);
   if (localising.T_map_base_start) localizer->set_pose(*localising.T_map_base_start);
   return localizer;
 }
@@ -50,10 +78,15 @@ std::shared_ptr<LiveLocalizer> LocalizingSession::localizer() const {
 LocalizedLog LocalizingSession::run(LogReader& reader) {
   read(reader);
   localizer()->finish();
+  const std::size_t num_left_out = this->num_left_out();
   const std::lock_guard lock(mutex_);
   LocalizedLog log = std::move(log_);
   log.name = name_;
   tell_log(reader, options_.localising, log);
+  if (num_left_out > 0) {
+    log.problems.remarks.push_back(std::to_string(num_left_out) +
+                                   " scans were not searched for: they came faster");
+  }
   if (num_scans_ == 0) throw FileError(name_, "has no scan to localise");
   return log;
 }
@@ -81,6 +114,7 @@ void LocalizingSession::begin_again() {
   options_.localising.T_map_base_start.reset();
   std::shared_ptr<LiveLocalizer> fresh = made_localizer();
   const std::lock_guard lock(mutex_);
+  num_left_out_before_ += old->num_left_out();
   localizer_.swap(fresh);
 }
 
@@ -98,7 +132,15 @@ void LocalizingSession::take(const LocalisedPose& place) {
   if (options_.keeps_poses) log_.poses.push_back(place);
 }
 
+std::size_t LocalizingSession::num_left_out() const {
+  const std::lock_guard lock(mutex_);
+  return num_left_out_before_ + localizer_->num_left_out();
+}
+
 bool LocalizingSession::set_pose(const Pose2& T_map_base) {
+  if (!is_near(map_->grid, T_map_base)) {
+    throw ParameterError("T_map_base", "is outside of the map");
+  }
   localizer()->set_pose(T_map_base);
   return true;
 }
@@ -119,12 +161,19 @@ LiveReport LocalizingSession::report() const {
                                {"ambiguous", std::to_string(counts.num_ambiguous)},
                                {"lost", std::to_string(counts.num_lost)},
                                {"scans behind", std::to_string(localizer->num_behind())}}};
+  const std::size_t num_left_out = this->num_left_out();
+  report.values.emplace_back("scans left out", std::to_string(num_left_out));
+  if (num_left_out > 0) {
+    report.warnings.push_back(std::to_string(num_left_out) +
+                              " scans were not searched for: they came faster");
+  }
   if (!place) return report;
   report.values.emplace_back("status", to_string(place->status));
   report.values.emplace_back("probability", fmt::format("{:.4f}", place->probability));
   report.values.emplace_back("other places", std::to_string(place->alternatives.size()));
   report.values.emplace_back("way since a scan agreed with the map",
                              fmt::format("{:.1f} m", place->unconfirmed_m));
+  report.places = places_of(*place);
   if (place->status != LocalisationStatus::kLocalised) {
     report.warnings.emplace_back(to_string(place->status));
   }

@@ -26,6 +26,7 @@ class LocalizingSession final : public LiveSession {
     LocalizeLogOptions localising = {};
     double way_period_s = 2.0;  ///< LiveWatcher::on_way is told no more often.
     bool keeps_poses = true;    ///< Else run() gives none, and memory does not grow.
+    LiveLocalizer::Behind behind = {};
   };
 
   /// `name`: of the log. `grid`: of the map (read_grid_to_localise_in). Throws ParameterError.
@@ -34,12 +35,14 @@ class LocalizingSession final : public LiveSession {
                     const Options& options,
                     LiveWatcher watcher);
 
-  /// Reads the log until it ends; then what localize_log() would have given. Throws FileError,
+  /// Reads the log until it ends; then what localize_log() would have given, but for scans that the
+  /// search left out (LiveLocalizer::Behind): a remark tells how many. Throws FileError,
   /// FormatError, ParameterError; FileError, too, where no scan came.
   [[nodiscard]] LocalizedLog run(LogReader& reader);
 
   // Called by any thread, while run() is.
 
+  /// A pose outside of the map is none.
   bool set_pose(const Pose2& T_map_base) override;
   /// Its grid, and nothing else: there is no more of a map.yaml.
   [[nodiscard]] LiveMapPtr last_map() const override { return map_; }
@@ -60,6 +63,7 @@ class LocalizingSession final : public LiveSession {
   [[nodiscard]] std::shared_ptr<LiveLocalizer> made_localizer();
   [[nodiscard]] std::shared_ptr<LiveLocalizer> localizer() const;
   void take(const LocalisedPose& place);
+  [[nodiscard]] std::size_t num_left_out() const;
 
   std::string name_;
   Options options_;
@@ -76,6 +80,7 @@ class LocalizingSession final : public LiveSession {
   LocalizedLog log_;
   LocalisationCounts counts_;
   std::size_t num_scans_ = 0;
+  std::size_t num_left_out_before_ = 0;       ///< By localizers before this one.
   std::shared_ptr<LiveLocalizer> localizer_;  ///< The last: its thread uses the others.
 };
 

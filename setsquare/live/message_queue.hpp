@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstddef>
@@ -47,6 +48,8 @@ class MessageQueue final : public MessageSource {
   [[nodiscard]] std::size_t num_waiting() const;
   /// Messages that were dropped.
   [[nodiscard]] std::uint64_t num_dropped() const;
+  /// Messages that were read and were of no use.
+  [[nodiscard]] std::uint64_t num_left_out() const { return num_left_out_; }
 
   // The reader.
 
@@ -54,6 +57,8 @@ class MessageQueue final : public MessageSource {
   [[nodiscard]] bool read(Message& message) override;
   [[nodiscard]] std::string format() const override { return format_; }
   [[nodiscard]] std::optional<double> fraction_read() const override { return std::nullopt; }
+  [[nodiscard]] bool has_arrival_times() const override { return true; }
+  void left_out() override { ++num_left_out_; }
   /// When the last message that was read came.
   [[nodiscard]] Clock::time_point arrival() const { return current_.arrival; }
 
@@ -69,6 +74,7 @@ class MessageQueue final : public MessageSource {
   OnRead on_read_;
   Queued current_;
   std::uint64_t num_read_ = 0;
+  std::atomic<std::uint64_t> num_left_out_ = 0;
 
   mutable std::mutex mutex_;  ///< All below.
   std::condition_variable has_more_;

@@ -26,6 +26,8 @@ class ResumedMessages final : public MessageSource {
   [[nodiscard]] bool read(Message& message) override;
   [[nodiscard]] std::string format() const override { return queue_->format(); }
   [[nodiscard]] std::optional<double> fraction_read() const override { return std::nullopt; }
+  [[nodiscard]] bool has_arrival_times() const override { return true; }
+  void left_out() override { queue_->left_out(); }
 
  private:
   [[nodiscard]] bool read_kept(Message& message);

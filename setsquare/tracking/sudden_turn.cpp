@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/sudden_turn.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/surfaces/surface_points.hpp"
 #include "setsquare/surfaces/surface_samples.hpp"
 #include "setsquare/tracking/submap_alignment.hpp"
@@ -14,12 +16,13 @@ SuddenTurn find_sudden_turn(const UnexpectedScan& unexpected,
                             std::span<const PlacedImage> submap,
                             const SurfaceParams& surfaces,
                             const SuddenTurnParams& params) {
-  const auto num_steps = [&](double time_s) {
-    return static_cast<int>(
-        std::ceil(params.fastest_rad_per_s * std::abs(time_s) / params.step_rad));
+  // However long it took: stamps and sweep times may be absurd.
+  const auto num_steps = [&](double time_s, double max_rad) {
+    const double turn_rad = std::min(params.fastest_rad_per_s * std::abs(time_s), max_rad);
+    return static_cast<int>(std::ceil(turn_rad / params.step_rad));
   };
-  const int num_in_sweep = num_steps(unexpected.sweep_s);
-  const int num_since_last = num_steps(unexpected.elapsed_s);
+  const int num_in_sweep = num_steps(unexpected.sweep_s, kTwoPi);
+  const int num_since_last = num_steps(unexpected.elapsed_s, kPi);  // Others look the same.
   SuddenTurn best{{}, unexpected.T_odom_last};
   double best_closeness = -1.0;
   for (int in_sweep = -num_in_sweep; in_sweep <= num_in_sweep; ++in_sweep) {

@@ -40,7 +40,7 @@ class LiveTest(unittest.TestCase):
         cls.holder = tempfile.TemporaryDirectory()
         cls.out = os.path.join(cls.holder.name, "out")
         cls.live = subprocess.Popen(
-            [SETSQUARE, "live", "--replay", LiveTest.log, "--speed", cls.speed, "--map-period", "0.3", "--view", "0",
+            [SETSQUARE, "live", "--replay", cls.log, "--speed", cls.speed, "--map-period", "0.3", "--view", "0",
              *cls.made_options()], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         cls.port = int(re.search(r"^shown at http://127.0.0.1:(\d+)$", cls.live.stdout.readline())[1])
         cls.host = f"127.0.0.1:{cls.port}"
@@ -155,6 +155,24 @@ class WhatNoBrowserSends(LiveTest):
             peer.close()
 
 
+class WhileNoScanComes(LiveTest):
+    """A robot whose scanner has stopped, before anybody looked."""
+
+    speed = "1"
+
+    @classmethod
+    def setUpClass(cls):
+        cls.log = LiveTest.log_that_stops
+        super().setUpClass()
+
+    def test_whoever_comes_late_sees_the_last_scan(self):
+        time.sleep(2.0)  # The scans take one, and then nothing comes for long.
+        heard = self.ask(self.upgrade(f"http://{self.host}"), patience_s=1.5)
+        pose = re.search(rb'\{[^{}]*"scan":\[([^]]*)\][^{}]*"type":"pose"[^{}]*\}', heard)
+        self.assertTrue(pose, heard[-300:])
+        self.assertGreater(len(pose[1].split(b",")), 100)
+
+
 def client_frame(text):
     """A WebSocket's text frame, masked by zeros."""
     size = len(text)
@@ -256,6 +274,20 @@ class WhileARobotIsLocalised(BrowserTest):
         self.assertGreater(self.num_of(picture, "wall"), 100)
         self.assertGreater(self.num_of(picture, "recovered"), 60)
 
+    def test_other_places_are_drawn_with_their_probabilities(self):
+        self.assertEqual(self.num_of(self.picture(), "lost"), 0)
+        x, y = self.value("[setsquare.pose.x, setsquare.pose.y]")
+        self.value("setsquare.drawing.showReal = setsquare.drawing.showPlaces;"
+                   "setsquare.drawing.showPlaces = () => {};"  # Reports go on.
+                   f"setsquare.drawing.showReal([[{x} + 2, {y}, 0, 1], [{x}, {y} + 2, 1, 0.25]])")
+        column, row = self.value(f"setsquare.drawing.pixel({x} + 2, {y})")
+        picture = self.picture()
+        near = [place for place in picture.places(self.color("lost"), 30)
+                if abs(place[0] - column) < 25 and abs(place[1] - row) < 25]
+        self.assertGreater(len(near), 60)
+        self.value("delete setsquare.drawing.showPlaces; setsquare.drawing.showPlaces([])")
+        self.assertEqual(self.num_of(self.picture(), "lost"), 0)
+
     def test_a_pose_is_set_by_hand_and_dropped_where_the_scans_contradict(self):
         self.assertIn("Press where", self.press("set-pose"))
         left, top = self.value("(() => { const r = document.querySelector('#map').getBoundingClientRect();"
@@ -267,13 +299,26 @@ class WhileARobotIsLocalised(BrowserTest):
         self.browser.wait_for("setsquare.report.doing === 'localised' && setsquare.pose.placed")
 
 
+def write_log_that_stops():
+    """Some scans, and then one a month."""
+    with open(LiveTest.log, encoding="ascii") as log:
+        scans = [line.split() for line in log if line.startswith("ROBOTLASER1")][:10]
+    for months, scan in enumerate(scans[6:], 1):
+        for field in (-3, -1):
+            scan[field] = str(float(scan[field]) + 2.6e6 * months)
+    with open(LiveTest.log_that_stops, "w", encoding="ascii") as log:
+        log.writelines(" ".join(scan) + "\n" for scan in scans)
+
+
 def main():
     with tempfile.TemporaryDirectory() as folder:
         LiveTest.log = os.path.join(folder, "sim", "scans.clf")
+        LiveTest.log_that_stops = os.path.join(folder, "stops.clf")
         LiveTest.known_map = os.path.join(folder, "map")
         run("simulate", "--building", "office", "--no-people", "--beams", "180", "--rate", "5", "-o",
             os.path.dirname(LiveTest.log))
         run("map", LiveTest.log, "-o", LiveTest.known_map)
+        write_log_that_stops()
         del sys.argv[1]
         return 0 if unittest.main(exit=False, verbosity=2).result.wasSuccessful() else 1
 

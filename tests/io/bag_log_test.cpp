@@ -344,7 +344,7 @@ LogRecord decimal_record(std::mt19937_64& generator, double stamp_s) {
   for (int beam = 0; beam < 180; ++beam) {
     record.scan.ranges_m.push_back(std::round(uniform(generator, 0.0, 90.0) * 1000.0) / 1000.0);
   }
-  record.T_odom_base = Pose2{uniform(generator, -9.0, 9.0), uniform(generator, -9.0, 9.0), 0.7};
+  record.T_odom_base = Pose2{uniform(generator, -0.1, 0.1), uniform(generator, -0.1, 0.1), 0.7};
   return record;
 }
 

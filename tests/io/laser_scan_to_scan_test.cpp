@@ -182,6 +182,19 @@ TEST(ScanFromLaserScan, OneRangeAboveTheMaximumIsFoundWhereverItIs) {
   }
 }
 
+TEST(ScanFromLaserScan, ASweepThatNoScannerTakesIsNone) {
+  LaserScan laser = message(-1.0, 1.0, 0.5, 5);
+  laser.time_increment_s = 2.4;
+  laser.scan_time_s = 9.6;
+  EXPECT_TRUE(convert(laser).oddities.empty());
+  EXPECT_EQ(convert(laser).scan.time_increment_s, 2.4);
+  for (const double absurd_s : {2.6, 1e30}) {
+    laser.time_increment_s = absurd_s;
+    EXPECT_EQ(convert(laser).oddities, only(ScanOddity::kEndlessSweep));
+    EXPECT_EQ(convert(laser).scan.time_increment_s, 0.0);
+  }
+}
+
 TEST(ScanFromLaserScan, WhatIsNoScanIsRefused) {
   Scan scan;
   EXPECT_TRUE(
@@ -190,6 +203,8 @@ TEST(ScanFromLaserScan, WhatIsNoScanIsRefused) {
               HasSubstr("too many"));
   EXPECT_TRUE(
       scan_from_laser_scan(message(kNan, 1.0, 0.1, 5), scan).oddities.has(ScanOddity::kNoAngles));
+  EXPECT_TRUE(
+      scan_from_laser_scan(message(1e30, 1e30, 0.1, 5), scan).oddities.has(ScanOddity::kNoAngles));
   LaserScan no_stamp = message(-1.0, 1.0, 0.5, 5);
   no_stamp.stamp = {};
   EXPECT_EQ(convert(no_stamp).oddities, only(ScanOddity::kNoStamp));

@@ -139,13 +139,23 @@ TEST(TransformTree, BadTransformsAreRefusedAndNamed) {
   EXPECT_EQ(tree.add(transform("a", "")), TransformFault::kNoFrame);
   EXPECT_EQ(tree.add(transform("/", "b")), TransformFault::kNoFrame);
   TransformStamped bad = transform("a", "b");
-  bad.translation_m.z() = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(tree.add(bad), TransformFault::kNotFinite);
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    bad.translation_m = Eigen::Vector3d(1.0, 2.0, 3.0);
+    bad.translation_m[axis] = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(tree.add(bad), TransformFault::kNotFinite);
+  }
   bad = transform("a", "b");
   bad.rotation.coeffs().setZero();
   EXPECT_EQ(tree.add(bad), TransformFault::kNoRotation);
   EXPECT_THAT(tree.links(), SizeIs(0));
   bad.rotation.coeffs() << 0.0, 0.0, 0.0, 2.0;
+  EXPECT_EQ(tree.add(bad), TransformFault::kBadRotation);
+  bad.rotation.coeffs() << 0.0, 0.0, 0.0, 1.0;
+  bad.translation_m.x() = 1e30;
+  EXPECT_EQ(tree.add(bad), TransformFault::kNotFinite);
+  EXPECT_THAT(tree.links(), SizeIs(0));
+  bad.translation_m.x() = 0.0;
+  bad.rotation.coeffs() << 0.0, 0.0, 0.0, 1.05;
   EXPECT_EQ(tree.add(bad), TransformFault::kNotNormalised);
   EXPECT_TRUE(
       tree.look_up("a", "b", at(0.0)).T_target_source.isApprox(Eigen::Isometry3d::Identity()));
@@ -163,7 +173,31 @@ TEST(TransformTree, MemoryIsBounded) {
   for (int i = 1; i < 500; ++i) {
     EXPECT_EQ(tree.add(transform("a", "f" + std::to_string(i))), TransformFault::kNone);
   }
+  tree.hold("a", "f1");
   EXPECT_EQ(tree.add(transform("a", "one more")), TransformFault::kTooManyFrames);
+  EXPECT_THAT(tree.links(), SizeIs(TransformTree::kMaxFrames));
+  EXPECT_EQ(tree.parent_of("one more"), "a");
+  EXPECT_EQ(tree.parent_of("f1"), "a");  // Held: the oldest of the others is forgotten.
+  EXPECT_EQ(tree.parent_of("base"), "");
+}
+
+TEST(TransformTree, WhatIsHeldStaysWhereItIs) {
+  TransformTree tree;
+  tree.add_static(transform("base", "mast", 0.0, 1.0));
+  tree.add(transform("mast", "laser", 10.0, 2.0));
+  tree.add_static(transform("base", "camera", 0.0, 3.0));
+  tree.hold("base", "laser");
+  EXPECT_EQ(tree.add_static(transform("base", "mast", 0.0, 1.0)), TransformFault::kNone);
+  EXPECT_EQ(tree.add_static(transform("base", "mast", 0.0, 1.5)), TransformFault::kContradicts);
+  EXPECT_EQ(tree.add(transform("base", "mast", 10.0, 1.5)), TransformFault::kContradicts);
+  EXPECT_EQ(tree.add_static(transform("odom", "mast", 0.0, 1.0)), TransformFault::kContradicts);
+  EXPECT_EQ(tree.add_static(transform("mast", "laser", 0.0, 2.0)), TransformFault::kNone);
+  EXPECT_EQ(tree.add_static(transform("mast", "laser", 0.0, 5.0)), TransformFault::kContradicts);
+  EXPECT_EQ(tree.add(transform("mast", "laser", 10.1, 2.5)), TransformFault::kNone);  // It moves.
+  EXPECT_EQ(tree.add_static(transform("base", "camera", 0.0, 4.0)), TransformFault::kNone);
+  EXPECT_NEAR(tree.look_up("base", "laser", at(10.0)).T_target_source.translation().x(), 3.0, 1e-9);
+  EXPECT_NEAR(
+      tree.look_up("base", "camera", at(10.0)).T_target_source.translation().x(), 4.0, 1e-9);
 }
 
 TEST(TransformTree, StampsOutOfOrderAreSortedAndAClockSetBackBeginsAnew) {

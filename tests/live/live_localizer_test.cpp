@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -98,6 +101,47 @@ TEST_F(LiveLocalizerInARoom, WhereTheWheelsTellTheWayTheyAreTheOdometry) {
     EXPECT_TRUE(pose.has_wheels);
     EXPECT_EQ(pose.T_odom_base, truth_[i]);
   }
+}
+
+// The search stands still, as if it took for ever.
+TEST_F(LiveLocalizerInARoom, WhereTheSearchIsTooFarBehindTrackingGoesOn) {
+  std::mutex standing;
+  std::vector<Timestamp> placed;
+  std::optional<LocalisedPose> last;
+  LiveLocalizer live(map_,
+                     {},
+                     [&](const LocalisedPose& place) {
+                       const std::lock_guard lock(standing);
+                       placed.push_back(place.stamp);
+                       last = place;
+                     },
+                     {.max_scans = 32});
+  {
+    const std::lock_guard lock(standing);
+    for (std::size_t i = 0; i < scans_.size(); ++i) {
+      if (i == 20) live.set_pose(truth_[i]);
+      (void)live.add(scans_[i]);
+    }
+    EXPECT_LE(live.num_behind(), 33U);
+    EXPECT_GE(live.num_left_out(), scans_.size() - 34);
+  }
+  live.finish();
+  EXPECT_EQ(placed.size() + live.num_left_out(), scans_.size());
+  EXPECT_TRUE(std::is_sorted(placed.begin(), placed.end()));
+  ASSERT_TRUE(last.has_value());
+  EXPECT_EQ(last->stamp, scans_.back().stamp);
+  EXPECT_EQ(last->status, LocalisationStatus::kLocalised);
+  EXPECT_LT((last->T_map_base.translation() - truth_.back().translation()).norm(), 0.08);
+}
+
+TEST_F(LiveLocalizerInARoom, ALogThatNobodyDrivesLosesNoScan) {
+  std::size_t num_placed = 0;
+  LiveLocalizer live(
+      map_, {}, [&](const LocalisedPose&) { ++num_placed; }, {.max_scans = 2, .waits = true});
+  for (const Scan& scan : scans_) (void)live.add(scan);
+  live.finish();
+  EXPECT_EQ(num_placed, scans_.size());
+  EXPECT_EQ(live.num_left_out(), 0U);
 }
 
 TEST_F(LiveLocalizerInARoom, APoseThatIsNoneIsRefused) {

@@ -100,6 +100,33 @@ TEST_F(LocalizedRoom, APoseThatIsSaidWronglyIsDropped) {
   EXPECT_LT(std::hypot(apart.x_m, apart.y_m), 0.05);
 }
 
+// A thousand lies: those that are no poses of the map are refused, and the others the scans drop.
+TEST_F(LocalizedRoom, AfterAFloodOfPosesItIsWhereItIs) {
+  LocalizingSession* running = nullptr;
+  std::size_t num_refused = 0;
+  RoomLog log = other_log([&](std::size_t scan) {
+    if (scan < 20 || scan >= 70) return;
+    for (int k = 0; k < 20; ++k) {
+      const double way_m = std::pow(10.0, static_cast<double>(k));
+      try {
+        (void)running->set_pose({way_m, -0.5 * way_m, 1.0 * k});
+      } catch (const ParameterError&) {
+        ++num_refused;
+      }
+    }
+  });
+  RoomLog same = other_log();
+  LocalizingSession session("other", *grid_, {}, {});
+  running = &session;
+  const std::vector<LocalisedPose> said = session.run(log).poses;
+  const std::vector<LocalisedPose> unsaid =
+      localize_log(same, "other", std::make_shared<const KnownMap>(*grid_)).poses;
+  EXPECT_GE(num_refused, 50U * 18);
+  EXPECT_EQ(said.back().status, LocalisationStatus::kLocalised);
+  const Pose2 apart = unsaid.back().T_map_base.inverse() * said.back().T_map_base;
+  EXPECT_LT(std::hypot(apart.x_m, apart.y_m), 0.05);
+}
+
 TEST_F(LocalizedRoom, AMapWithoutWallsIsRefused) {
   const OccupancyGrid nothing({}, 0.05, 20, 20);
   EXPECT_THROW(LocalizingSession("other", nothing, {}, {}), ParameterError);

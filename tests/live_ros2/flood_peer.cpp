@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// A node that is broken: sends damaged messages of every kind that live mapping hears.
+// A node that is broken, and lies: sends messages of every kind that live mapping hears, damaged
+// ones and whole ones that are not true.
 // flood_peer DOMAIN NUM_OF_EACH SEED
 #include <array>
 #include <chrono>
@@ -44,18 +45,29 @@ std::vector<Kind> kinds() {
   ros::Odometry odometry;
   odometry.frame_id = "odom";
   odometry.child_frame_id = "base_link";
-  const ros::TfMessage moved{{transform_from_pose({}, "odom", "base_link", {})}};
-  const ros::TfMessage fixed{{transform_from_pose({}, "base_link", "laser", {})}};
+  odometry.position_m.x() = 7.0;
+  const ros::TfMessage moved{{transform_from_pose({}, "odom", "base_link", {7.0, 1.0, 2.0})}};
+  const ros::TfMessage fixed{{transform_from_pose({}, "base_link", "laser", {-0.5, 0.0, 3.0})}};
+  ros::PoseWithCovarianceStamped said;
+  said.frame_id = "map";
+  said.position_m.x() = 1e5;
   return {{"/scan", "sensor_msgs/msg/LaserScan", dds::kSensorQos, bytes_of(scan)},
           {"/odom", "nav_msgs/msg/Odometry", dds::kTransformQos, bytes_of(odometry)},
           {"/tf", "tf2_msgs/msg/TFMessage", dds::kTransformQos, bytes_of(moved)},
-          {"/tf_static", "tf2_msgs/msg/TFMessage", dds::kStaticTransformQos, bytes_of(fixed)}};
+          {"/tf_static", "tf2_msgs/msg/TFMessage", dds::kStaticTransformQos, bytes_of(fixed)},
+          {"/initialpose",
+           "geometry_msgs/msg/PoseWithCovarianceStamped",
+           {.depth = 10},
+           bytes_of(said)}};
 }
 
-/// Cut short, or with bytes changed, or with a count of elements that no message has, or noise.
-std::string damaged(const std::string& whole, std::mt19937_64& random) {
+/// Whole, cut short, or with bytes changed, or with a count of elements that no message has, or
+/// noise.
+std::string spoilt(const std::string& whole, std::mt19937_64& random) {
   std::string bytes = whole;
-  switch (random() % 4) {
+  switch (random() % 5) {
+    case 4:
+      break;
     case 0:
       bytes.resize(random() % bytes.size());
       break;
@@ -87,8 +99,8 @@ int main(int argc, char** argv) {
   }
   if (all.front().publisher->num_matched() == 0) return 3;
   for (int i = 0; i < num_of_each; ++i) {
-    for (const Kind& kind : all) kind.publisher->publish(damaged(kind.whole, random));
-    if (i % 10 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    for (const Kind& kind : all) kind.publisher->publish(spoilt(kind.whole, random));
+    if (i % 4 == 0) std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
   std::this_thread::sleep_for(std::chrono::milliseconds(500));
   std::cout << num_of_each << " of each\n";

@@ -57,6 +57,14 @@ class MessageSource {
   /// How much has been read, 0 to 1, where the size is known.
   [[nodiscard]] virtual std::optional<double> fraction_read() const = 0;
 
+  /// Whether log times say when messages came: those of a robot do, those of a file may mean
+  /// nothing.
+  [[nodiscard]] virtual bool has_arrival_times() const { return false; }
+
+  /// Told of the last message that was read, where it is of no use: damaged, or against what is
+  /// known.
+  virtual void left_out() {}
+
   /// Topics met so far, in the order of their first appearance; it grows while reading.
   [[nodiscard]] const std::vector<MessageTopic>& topics() const { return topics_; }
 

@@ -8,13 +8,9 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/logs/record_stream.hpp"
 
 namespace setsquare {
-namespace {
-
-constexpr double kLongestSweep_s = 10.0;
-
-}  // namespace
 
 std::string summary(const LogProblems& problems) {
   if (problems.num_damaged == 0) return {};

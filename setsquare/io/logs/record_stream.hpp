@@ -50,6 +50,9 @@ class RecordStream {
 /// More beams than any scanner has: such a record is damaged.
 inline constexpr std::uint32_t kMaxBeams = 65536;
 
+/// From a scan's first beam to its last: no scanner takes longer.
+inline constexpr double kLongestSweep_s = 10.0;
+
 /// Stamps beyond this (the year 2112) are damaged; below, differences of two cannot overflow.
 inline constexpr std::int64_t kMaxStamp_ns = 4'500'000'000'000'000'000;
 

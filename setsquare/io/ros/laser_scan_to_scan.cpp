@@ -15,6 +15,8 @@ namespace setsquare::ros {
 namespace {
 
 constexpr double kRoundingSlack_rad = 1e-3;
+/// No driver counts bearings further round than this.
+constexpr double kFarthestBearing_rad = 2.0 * kTwoPi;
 
 /// Bearings of the beams while they are worked out.
 struct Sweep {
@@ -76,6 +78,10 @@ std::string_view settle_bearings(LaserScan& message, Scan& scan, ScanOddities& o
   }
   const std::string_view fault = settle_step(message, sweep, oddities);
   if (!fault.empty()) return fault;
+  if (std::abs(sweep.first_rad) > kFarthestBearing_rad) {
+    oddities.add(ScanOddity::kNoAngles);
+    return "angle_min is no angle";
+  }
   if (sweep.step_rad < 0.0) oddities.add(ScanOddity::kClockwise);
   const bool is_last_repeated =
       sweep.num_beams > 2 && sweep.span_rad() > kTwoPi - 0.25 * std::abs(sweep.step_rad);
@@ -128,7 +134,17 @@ bool has_ranges_beyond(const std::vector<double>& ranges_m, double max_range_m) 
   return count_finite_above(ranges_m.data(), ranges_m.size(), max_range_m + slack_m) > 0;
 }
 
-double time_or_zero(double time_s) { return std::isfinite(time_s) && time_s > 0.0 ? time_s : 0.0; }
+/// A time that is not told is 0, or no number; one that no scanner takes says nothing, either.
+void settle_times(const LaserScan& message, Scan& scan, ScanOddities& oddities) {
+  const auto usable_s = [&](double time_s, std::size_t num_times) {
+    if (!std::isfinite(time_s) || time_s <= 0.0) return 0.0;
+    if (time_s * static_cast<double>(num_times) <= kLongestSweep_s) return time_s;
+    oddities.add(ScanOddity::kEndlessSweep);
+    return 0.0;
+  };
+  scan.time_increment_s = usable_s(message.time_increment_s, scan.num_beams() - 1);
+  scan.scan_time_s = usable_s(message.scan_time_s, 1);
+}
 
 }  // namespace
 
@@ -147,7 +163,8 @@ OddityText describe(ScanOddity oddity) {
       {"range_min is not below range_max", "both were left aside; --max-range sets a limit"},
       {"ranges lie above range_max", "they count as no return; --max-range sets a higher limit"},
       {"there are no ranges, or more than any scanner has", "the scan was left out"},
-      {"angle_min is no number", "the scan was left out"},
+      {"angle_min is no angle", "the scan was left out"},
+      {"a sweep would take more than 10 s", "the beams were taken as measured at once"},
   }};
   return kTexts[static_cast<std::size_t>(oddity)];
 }
@@ -161,10 +178,9 @@ ScanConversion scan_from_laser_scan(LaserScan&& message, Scan& scan) {
   }
   if (message.stamp == Timestamp{}) conversion.oddities.add(ScanOddity::kNoStamp);
   scan.stamp = message.stamp;
-  scan.time_increment_s = time_or_zero(message.time_increment_s);
-  scan.scan_time_s = time_or_zero(message.scan_time_s);
   conversion.fault = settle_bearings(message, scan, conversion.oddities);
   if (!conversion.fault.empty()) return conversion;
+  settle_times(message, scan, conversion.oddities);
   settle_range_limits(message, scan, conversion.oddities);
   if (has_ranges_beyond(scan.ranges_m, scan.max_range_m)) {
     conversion.oddities.add(ScanOddity::kRangesBeyondMax);

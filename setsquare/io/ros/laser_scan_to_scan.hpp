@@ -27,8 +27,9 @@ enum class ScanOddity : std::uint8_t {
   kRangesBeyondMax,
   kNoBeams,
   kNoAngles,
+  kEndlessSweep,
 };
-inline constexpr std::size_t kNumScanOddities = 13;
+inline constexpr std::size_t kNumScanOddities = 14;
 
 /// The oddities of one scan.
 class ScanOddities {
@@ -62,7 +63,7 @@ struct ScanConversion {
 /// the beams stay within one turn; else angle_min and angle_max win where they span one turn. Of a
 /// full turn's last beam that points where the first did, the last is left out. Ranges are taken as
 /// they are: Scan::outcome judges them as REP 117 asks (-Inf too near, +Inf nothing within reach,
-/// NaN nothing known).
+/// NaN nothing known). A sweep of more than kLongestSweep_s is none.
 [[nodiscard]] ScanConversion scan_from_laser_scan(LaserScan&& message, Scan& scan);
 
 }  // namespace setsquare::ros

@@ -11,23 +11,14 @@ namespace setsquare::ros {
 namespace {
 
 constexpr double kMaxNormError = 0.01;
+constexpr double kMaxMendedNormError = 0.1;
+constexpr double kFarthest_m = 1e8;
 
 TransformFault fault_of(const TransformStamped& transform) {
   const std::string_view child = plain_frame_name(transform.child_frame_id);
   const std::string_view parent = plain_frame_name(transform.frame_id);
   if (child.empty() || parent.empty() || child == parent) return TransformFault::kNoFrame;
-  const double norm = transform.rotation.norm();
-  if (!transform.translation_m.allFinite() || !std::isfinite(norm)) {
-    return TransformFault::kNotFinite;
-  }
-  constexpr double kMinNorm = 1e-6;
-  if (norm < kMinNorm) return TransformFault::kNoRotation;
-  return std::abs(norm - 1.0) > kMaxNormError ? TransformFault::kNotNormalised
-                                              : TransformFault::kNone;
-}
-
-bool is_refused(TransformFault fault) {
-  return fault != TransformFault::kNone && fault != TransformFault::kNotNormalised;
+  return fault_of_pose(transform.translation_m, transform.rotation);
 }
 
 Eigen::Isometry3d isometry(const Eigen::Vector3d& translation_m, const Eigen::Quaterniond& q) {
@@ -68,6 +59,10 @@ std::string_view to_text(TransformFault fault) {
       return "a number that is not finite";
     case TransformFault::kNoRotation:
       return "a quaternion of zeros";
+    case TransformFault::kBadRotation:
+      return "a quaternion whose length is far from 1";
+    case TransformFault::kContradicts:
+      return "a frame that scans were placed by, elsewhere than before";
     case TransformFault::kTooManyFrames:
       return "more frames than any robot has";
     case TransformFault::kNotNormalised:
@@ -78,6 +73,25 @@ std::string_view to_text(TransformFault fault) {
       break;
   }
   return {};
+}
+
+bool is_refused(TransformFault fault) {
+  return fault != TransformFault::kNone && fault < TransformFault::kTooManyFrames;
+}
+
+TransformFault fault_of_pose(const Eigen::Vector3d& position_m,
+                             const Eigen::Quaterniond& rotation) {
+  const double norm = rotation.norm();
+  // maxCoeff() may pass over what is no number.
+  if (!position_m.allFinite() || position_m.cwiseAbs().maxCoeff() > kFarthest_m ||
+      !std::isfinite(norm)) {
+    return TransformFault::kNotFinite;
+  }
+  constexpr double kMinNorm = 1e-6;
+  const double error = std::abs(norm - 1.0);
+  if (norm < kMinNorm) return TransformFault::kNoRotation;
+  if (error > kMaxMendedNormError) return TransformFault::kBadRotation;
+  return error > kMaxNormError ? TransformFault::kNotNormalised : TransformFault::kNone;
 }
 
 TransformFault TransformTree::add_static(const TransformStamped& transform) {
@@ -95,10 +109,18 @@ TransformFault TransformTree::add(const TransformStamped& transform, bool is_sta
   const std::string_view parent = plain_frame_name(transform.frame_id);
   auto found = frames_.find(child);
   if (found == frames_.end()) {
-    if (frames_.size() >= kMaxFrames) return TransformFault::kTooManyFrames;
-    found = frames_.emplace(child, Frame{std::string(parent), is_static, 0, {}}).first;
+    if (frames_.size() >= kMaxFrames) {
+      fault = TransformFault::kTooManyFrames;
+      if (!forget_oldest()) return fault;
+    }
+    found =
+        frames_.emplace(child, Frame{.parent = std::string(parent), .is_static = is_static}).first;
   }
   Frame& frame = found->second;
+  if (frame.is_held && contradicts(frame, transform, is_static)) {
+    return TransformFault::kContradicts;
+  }
+  if (frame.is_held && (frame.is_static || is_static)) return fault;  // Said again.
   if (frame.parent != parent) {
     frame.parent = parent;
     frame.samples.clear();
@@ -107,8 +129,50 @@ TransformFault TransformTree::add(const TransformStamped& transform, bool is_sta
   if (is_static || frame.is_static != is_static) frame.samples.clear();
   frame.is_static = is_static;
   ++frame.num_added;
+  frame.last_added = ++num_added_;
   insert(frame, {transform.stamp, transform.translation_m, transform.rotation.normalized()});
   return fault;
+}
+
+bool TransformTree::contradicts(const Frame& frame,
+                                const TransformStamped& transform,
+                                bool is_static) {
+  constexpr double kSame_m = 1e-3;
+  constexpr double kSame_rad = 1e-3;
+  if (frame.parent != plain_frame_name(transform.frame_id)) return true;
+  if (!frame.is_static && !is_static) return false;
+  const Sample& held = frame.samples.back();
+  return (held.translation_m - transform.translation_m).norm() > kSame_m ||
+         held.rotation.angularDistance(transform.rotation.normalized()) > kSame_rad;
+}
+
+bool TransformTree::forget_oldest() {
+  auto oldest = frames_.end();
+  for (auto frame = frames_.begin(); frame != frames_.end(); ++frame) {
+    if (frame->second.is_held) continue;
+    if (oldest == frames_.end() || frame->second.last_added < oldest->second.last_added) {
+      oldest = frame;
+    }
+  }
+  if (oldest == frames_.end()) return false;
+  frames_.erase(oldest);
+  return true;
+}
+
+void TransformTree::hold(std::string_view target, std::string_view source) {
+  Way from_target;
+  Way from_source;
+  target = plain_frame_name(target);
+  source = plain_frame_name(source);
+  if (!find_ways(target, source, from_target, from_source).is_found()) return;
+  for (const Way& way : {from_target, from_source}) {
+    for (const auto* link : way) frames_.find(link->first)->second.is_held = true;
+  }
+}
+
+bool TransformTree::is_held(std::string_view child) const {
+  const auto found = frames_.find(plain_frame_name(child));
+  return found != frames_.end() && found->second.is_held;
 }
 
 void TransformTree::insert(Frame& frame, const Sample& sample) {

@@ -27,13 +27,22 @@ enum class TransformFault : std::uint8_t {
   kNoFrame,        ///< Refused: a frame has no name, or is its own parent.
   kNotFinite,      ///< Refused: a number is not finite.
   kNoRotation,     ///< Refused: the quaternion is zero.
-  kTooManyFrames,  ///< Refused: the tree is full (kMaxFrames).
+  kBadRotation,    ///< Refused: the quaternion's length is off by more than 10 %.
+  kContradicts,    ///< Refused: a frame that is held (TransformTree::hold) stands elsewhere.
+  kTooManyFrames,  ///< Taken: in place of a frame that is not held (kMaxFrames); else refused.
   kNotNormalised,  ///< Taken with the quaternion made of length 1, which was off by over 1 %.
   kParentChanged,  ///< Taken: the frame hangs from another parent now, its past is forgotten.
 };
 
 /// The fault in words: "a quaternion of zeros"; empty for kNone.
 [[nodiscard]] std::string_view to_text(TransformFault fault);
+/// Whether the transform was not taken.
+[[nodiscard]] bool is_refused(TransformFault fault);
+
+/// What is wrong with a pose in itself: kNone, kNotFinite, kNoRotation, kBadRotation,
+/// kNotNormalised. Positions farther than 1e8 m are no numbers of a robot's: kNotFinite.
+[[nodiscard]] TransformFault fault_of_pose(const Eigen::Vector3d& position_m,
+                                           const Eigen::Quaterniond& rotation);
 
 enum class LookupStatus : std::uint8_t {
   kFound,
@@ -63,6 +72,9 @@ struct TransformLookup {
 /// A static transform holds at all times. Of a moving one the last 30 s are kept, at most 2000 of
 /// them; between two neighbours the translation is interpolated linearly and the rotation along the
 /// shortest arc. Where the stamps jump back by more than those 30 s, that transform begins anew.
+///
+/// The last that comes holds, but for frames that are held: what scans were placed by does not
+/// change its parent, and what never moved does not move.
 class TransformTree {
  public:
   static constexpr std::size_t kMaxFrames = 500;
@@ -80,6 +92,10 @@ class TransformTree {
                                         std::string_view source,
                                         Timestamp stamp,
                                         double max_outside_s = 0.0) const;
+
+  /// From now on the transforms between two frames are held.
+  void hold(std::string_view target, std::string_view source);
+  [[nodiscard]] bool is_held(std::string_view child) const;
 
   /// A frame that has a parent.
   struct Link {
@@ -102,13 +118,21 @@ class TransformTree {
   struct Frame {
     std::string parent;
     bool is_static = true;
+    bool is_held = false;
     std::uint64_t num_added = 0;
-    std::deque<Sample> samples;  ///< By stamp, no two of the same; not empty.
+    std::uint64_t last_added = 0;     ///< By num_added_.
+    std::deque<Sample> samples = {};  ///< By stamp, no two of the same; not empty.
   };
   /// The way from a frame up to its root: the frames that have a parent.
   using Way = std::vector<const std::pair<const std::string, Frame>*>;
 
   TransformFault add(const TransformStamped& transform, bool is_static);
+  /// Whether a transform is not that of a frame that is held.
+  [[nodiscard]] static bool contradicts(const Frame& frame,
+                                        const TransformStamped& transform,
+                                        bool is_static);
+  /// Makes place for a frame. Returns whether there is one.
+  bool forget_oldest();
   static void insert(Frame& frame, const Sample& sample);
   [[nodiscard]] bool is_known(std::string_view name) const;
   [[nodiscard]] bool find_way_up(std::string_view name, Way& way) const;
@@ -124,6 +148,7 @@ class TransformTree {
                                                         double& outside_s);
 
   std::map<std::string, Frame, std::less<>> frames_;  ///< By the child's name.
+  std::uint64_t num_added_ = 0;
 };
 
 }  // namespace setsquare::ros

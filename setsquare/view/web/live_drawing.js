@@ -12,6 +12,7 @@ class LiveDrawing {
     this.image = new MapImage(null, this.ask);
     this.way = [];
     this.pose = null;
+    this.places = [];
     this.placing = null;  // While the user sets a pose: where, and which way.
     this.isPlacing = false;
     this.view = new PlaneView(this.canvas, [-5, -5, 5, 5], { onChange: this.ask });
@@ -40,6 +41,12 @@ class LiveDrawing {
     this.ask();
   }
 
+  /** Where the robot may be, too: x, y, heading and probability of each. */
+  showPlaces(places) {
+    this.places = places;
+    this.ask();
+  }
+
   /** The pixel of a place of the map frame, in m. */
   pixel(x, y) {
     const [left, bottom, turn] = this.map.grid;
@@ -65,6 +72,7 @@ class LiveDrawing {
     this.image.draw(context, this.view);
     this.drawWay(context);
     for (const closure of this.map.closures) this.drawClosure(context, closure);
+    for (const place of this.places) this.drawPlace(context, place);
     if (this.pose?.placed) {
       this.drawScan(context);
       this.drawRobot(context, this.pose, "recovered");
@@ -120,6 +128,22 @@ class LiveDrawing {
       if (name === "casing") context.stroke(body);
       context.fill(body);
     }
+  }
+
+  /** A robot that is fainter the less probable it is, with its probability beside it. */
+  drawPlace(context, [x, y, heading, probability]) {
+    context.globalAlpha = 0.4 + 0.6 * probability;
+    this.drawRobot(context, { x, y, heading }, "lost");
+    context.globalAlpha = 1;
+    const [column, row] = this.pixel(x, y);
+    context.font = "600 12px system-ui, sans-serif";
+    context.textBaseline = "middle";
+    context.lineWidth = 4;
+    context.strokeStyle = themeColor("casing");
+    context.fillStyle = themeColor("ink");
+    const text = Math.round(100 * probability) + " %";
+    context.strokeText(text, column + 12, row + 12);
+    context.fillText(text, column + 12, row + 12);
   }
 
   drawDoubts(context) {

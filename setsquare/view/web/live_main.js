@@ -56,6 +56,7 @@ class LivePage {
     this.report = report;
     byId("state").textContent = report.paused ? report.doing + ", paused" : report.doing;
     fillList(byId("warnings"), report.warnings);
+    this.drawing.showPlaces(report.places);
     const save = byId("save");
     save.disabled = !report.canSave;
     save.title = report.canSave ? "" : "Only a map that is being made, and with -o DIR";

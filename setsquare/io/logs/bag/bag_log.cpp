@@ -18,23 +18,23 @@ namespace {
 /// Topics whose log time minus stamp differs by more have stamps of different clocks.
 constexpr std::int64_t kMaxClockDifference_ns = 5'000'000'000;
 
-/// Frames of robots, the likelier first, and frames in which robots move (REP 105).
-constexpr std::string_view kBaseFrames[] = {"base_link", "base_footprint", "base"};
-constexpr std::string_view kOdometryFrames[] = {"odom", "odom_combined"};
-constexpr std::string_view kWorldFrames[] = {"odom", "odom_combined", "map", "world", "earth"};
-
-template <typename Names>
-bool is_one_of(const Names& names, std::string_view name) {
-  return std::find(std::begin(names), std::end(names), name) != std::end(names);
-}
-
 Pose2 flattened(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& orientation) {
   const Eigen::Vector3d forward = orientation.normalized() * Eigen::Vector3d::UnitX();
   return {position_m.x(), position_m.y(), std::atan2(forward.y(), forward.x())};
 }
 
-bool is_finite(const Pose2& pose) {
-  return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.theta_rad);
+Eigen::Isometry3d in_space(const Eigen::Vector3d& position_m, const Eigen::Quaterniond& q) {
+  return Eigen::Translation3d(position_m) * q.normalized();
+}
+
+/// A speed in m/s or rad/s; nothing where it is none, whatever a driver's unit is.
+std::optional<double> if_possible(double speed) {
+  constexpr double kFastest = 1e4;
+  return std::abs(speed) <= kFastest ? std::optional(speed) : std::nullopt;
+}
+
+std::string text_of_frames(const ros::TransformStamped& transform) {
+  return fmt::format("transform {} -> {}", transform.frame_id, transform.child_frame_id);
 }
 
 ros::SliceParams slice_params(const CloudSlice& slice) {
@@ -53,7 +53,10 @@ ros::SliceParams slice_params(const CloudSlice& slice) {
 }  // namespace
 
 BagLog::BagLog(std::unique_ptr<MessageSource> source, const LogOptions& options)
-    : source_(std::move(source)), options_(options), odometry_(options.odometry_topic) {
+    : source_(std::move(source)),
+      options_(options),
+      trust_(source_->has_arrival_times()),
+      odometry_(options.odometry_topic) {
   source_->set_wanted([](const MessageTopic& topic) { return role_of(topic) != TopicRole::kNone; });
 }
 
@@ -106,6 +109,7 @@ void BagLog::take(const Message& message) {
 
 void BagLog::dispatch(ros::LaserScan& scan, const Message& message, TopicRole /*role*/) {
   const Timestamp stamp = stamp_of(scan.stamp, message);
+  if (!is_believed(stamp, scan.frame_id, message)) return;
   Pending& pending = add_pending(RecordKind::kScan, message, stamp);
   std::vector<double> memory = std::move(pending.scan.ranges_m);
   pending.scan = std::move(scan);
@@ -125,6 +129,7 @@ void BagLog::dispatch(ros::MultiEchoLaserScan& scan, const Message& message, Top
 void BagLog::dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole /*role*/) {
   if (has_scan_topic_ && options_.sensor != topic_name(message)) return;
   const Timestamp stamp = stamp_of(cloud.stamp, message);
+  if (!is_believed(stamp, cloud.frame_id, message)) return;
   cloud.stamp = stamp;
   const ros::TransformLookup mounting =
       mounting_of(std::string(ros::plain_frame_name(cloud.frame_id)), stamp);
@@ -142,31 +147,45 @@ void BagLog::dispatch(ros::PointCloud2& cloud, const Message& message, TopicRole
 }
 
 void BagLog::dispatch(const ros::Odometry& odometry, const Message& message, TopicRole role) {
+  const ros::TransformFault bad = ros::fault_of_pose(odometry.position_m, odometry.orientation);
+  if (ros::is_refused(bad)) return add_damage(message, ros::to_text(bad));
   const Timestamp stamp = stamp_of(odometry.stamp, message);
   const Pose2 pose = flattened(odometry.position_m, odometry.orientation);
-  if (!is_finite(pose)) return add_damage(message, "a pose that is not finite");
   if (role == TopicRole::kReferenceOdometry) {
     add_pending(RecordKind::kTruePose, message, stamp).record.T_map_base = pose;
     return;
   }
+  const std::string_view fault =
+      trust_.fault_of(topic_name(message),
+                      {.stamp = stamp,
+                       .log_time = message.log_time,
+                       .frames = odometry.frame_id + ' ' + odometry.child_frame_id,
+                       .pose = in_space(odometry.position_m, odometry.orientation)});
+  if (!fault.empty()) return add_damage(message, fault);
   add_odometry(topic_name(message), message, stamp, pose, odometry.child_frame_id);
   if (topic_name(message) != odometry_.chosen()) return;
   LogRecord& record = add_pending(RecordKind::kOdometry, message, stamp).record;
   record.T_odom_base = pose;
-  record.forward_m_per_s = odometry.velocity_m_per_s.x();
-  record.turn_rad_per_s = odometry.turn_rate_rad_per_s.z();
+  record.forward_m_per_s = if_possible(odometry.velocity_m_per_s.x());
+  record.turn_rad_per_s = if_possible(odometry.turn_rate_rad_per_s.z());
 }
 
 void BagLog::dispatch(const ros::PoseStamped& pose, const Message& message, TopicRole /*role*/) {
-  const Pose2 flat = flattened(pose.position_m, pose.orientation);
-  if (!is_finite(flat)) return add_damage(message, "a pose that is not finite");
+  const ros::TransformFault bad = ros::fault_of_pose(pose.position_m, pose.orientation);
+  if (ros::is_refused(bad)) return add_damage(message, ros::to_text(bad));
   add_pending(RecordKind::kTruePose, message, stamp_of(pose.stamp, message)).record.T_map_base =
-      flat;
+      flattened(pose.position_m, pose.orientation);
 }
 
 void BagLog::dispatch(const ros::Imu& imu, const Message& message, TopicRole /*role*/) {
   if (!imu.has_turn_rate() || !imu.turn_rate_rad_per_s.allFinite()) return;
+  if (!if_possible(imu.turn_rate_rad_per_s.norm())) {
+    return add_damage(message, "a turn rate that nothing has");
+  }
   const Timestamp stamp = stamp_of(imu.stamp, message);
+  const std::string_view fault = trust_.fault_of(
+      topic_name(message), {.stamp = stamp, .log_time = message.log_time, .frames = imu.frame_id});
+  if (!fault.empty()) return add_damage(message, fault);
   const ros::TransformLookup mounting =
       mounting_of(std::string(ros::plain_frame_name(imu.frame_id)), stamp);
   const Eigen::Vector3d of_base = mounting.T_target_source.linear() * imu.turn_rate_rad_per_s;
@@ -183,23 +202,48 @@ void BagLog::add_transform(const ros::TransformStamped& transform,
                            const Message& message,
                            TopicRole role) {
   const bool is_static = role == TopicRole::kStaticTransforms;
-  const ros::TransformFault fault = is_static ? tree_.add_static(transform) : tree_.add(transform);
-  if (fault != ros::TransformFault::kNone) {
-    remark_once(fmt::format("{}: transform {} -> {}: {}",
-                            topic_name(message),
-                            transform.frame_id,
-                            transform.child_frame_id,
-                            ros::to_text(fault)));
+  if (!is_static && !is_believed(transform, message)) return;
+  const ros::TransformFault fault = frames_.add(transform, is_static);
+  if (ros::is_refused(fault)) {
+    return add_damage(message, ros::to_text(fault), text_of_frames(transform));
   }
-  const std::string_view child = ros::plain_frame_name(transform.child_frame_id);
-  if (is_static || !is_one_of(kOdometryFrames, ros::plain_frame_name(transform.frame_id))) return;
+  if (fault != ros::TransformFault::kNone) {
+    remark_once(fmt::format(
+        "{}: {}: {}", topic_name(message), text_of_frames(transform), ros::to_text(fault)));
+  }
+  if (is_static || !frames_.is_odometry(transform, message.log_time)) return;
   const Pose2 pose = flattened(transform.translation_m, transform.rotation);
-  if (!is_finite(pose)) return;
   const Timestamp stamp = stamp_of(transform.stamp, message);
-  add_odometry(BagOdometry::kTransforms, message, stamp, pose, child);
+  add_odometry(BagOdometry::kTransforms, message, stamp, pose, transform.child_frame_id);
   if (odometry_.chosen() == BagOdometry::kTransforms) {
     add_pending(RecordKind::kOdometry, message, stamp).record.T_odom_base = pose;
   }
+}
+
+bool BagLog::is_believed(const ros::TransformStamped& transform, const Message& message) {
+  const bool is_pose =
+      !ros::is_refused(ros::fault_of_pose(transform.translation_m, transform.rotation));
+  if (!is_pose || !frames_.must_go_on(transform)) return true;
+  const bool has_stamp = transform.stamp.ns != 0 && is_possible(transform.stamp);
+  const std::string_view fault =
+      trust_.fault_of(std::string(ros::plain_frame_name(transform.child_frame_id)),
+                      {.stamp = has_stamp ? transform.stamp : message.log_time,
+                       .log_time = message.log_time,
+                       .frames = std::string(ros::plain_frame_name(transform.frame_id)),
+                       .pose = in_space(transform.translation_m, transform.rotation)});
+  if (!fault.empty()) add_damage(message, fault, text_of_frames(transform));
+  return fault.empty();
+}
+
+bool BagLog::is_believed(Timestamp stamp, const std::string& frame_id, const Message& message) {
+  const std::string frame(ros::plain_frame_name(frame_id));
+  const std::string_view fault = trust_.fault_of(topic_name(message),
+                                                 {.stamp = stamp,
+                                                  .log_time = message.log_time,
+                                                  .frames = frame,
+                                                  .is_placed = frames_.is_known(frame)});
+  if (!fault.empty()) add_damage(message, fault);
+  return fault.empty();
 }
 
 void BagLog::add_odometry(const std::string& topic,
@@ -295,36 +339,16 @@ bool BagLog::complete(Pending& pending) {
   }
   const std::string_view fault = placed_[pending.record.sensor].place(
       std::move(pending.scan), mounting.T_target_source, pending.record.scan);
-  if (fault.empty()) return true;
-  problems().add(fmt::format("offset {}", pending.record.position),
-                 fmt::format("{}: {}", pending.record.sensor, fault));
-  return false;
+  if (!fault.empty()) {
+    add_damage(pending.record.sensor, pending.record.position, fault);
+  } else if (mounting.is_found()) {
+    frames_.add_placed(frame, odometry_.base_frame(), mounting.T_target_source);
+  }
+  return fault.empty();
 }
 
 ros::TransformLookup BagLog::mounting_of(const std::string& frame, Timestamp stamp) const {
-  const std::string base = odometry_.base_frame();
-  if (!base.empty()) {
-    ros::TransformLookup found = tree_.look_up(base, frame, stamp, kMaxWaitForOdometry_s);
-    if (found.is_found() || found.status == ros::LookupStatus::kOutsideOfTime) return found;
-  }
-  const std::string nearest = base_frame_of(frame);
-  ros::TransformLookup found = tree_.look_up(nearest, frame, stamp, kMaxWaitForOdometry_s);
-  if (nearest == frame && !is_one_of(kBaseFrames, frame) && tree_.parent_of(frame).empty()) {
-    found.status = ros::LookupStatus::kUnknownFrame;
-    found.reason = frame + " is in no transform";
-  }
-  return found;
-}
-
-std::string BagLog::base_frame_of(const std::string& frame) const {
-  std::string_view topmost = frame;
-  for (std::size_t step = 0; step <= ros::TransformTree::kMaxFrames; ++step) {
-    if (is_one_of(kBaseFrames, topmost)) break;
-    const std::string_view parent = tree_.parent_of(topmost);
-    if (parent.empty() || is_one_of(kWorldFrames, parent)) break;
-    topmost = parent;
-  }
-  return std::string(topmost);
+  return frames_.mounting_of(frame, odometry_.base_frame(), stamp, kMaxWaitForOdometry_s);
 }
 
 Timestamp BagLog::in_odometry_clock(const Pending& pending) const {
@@ -342,14 +366,23 @@ const std::string& BagLog::topic_name(const Message& message) const {
 }
 
 Timestamp BagLog::stamp_of(Timestamp header, const Message& message) {
-  if (header.ns != 0 && std::abs(header.ns) <= kMaxStamp_ns) return header;
+  if (header.ns != 0 && is_possible(header)) return header;
   ++num_without_stamp_[topic_name(message)];
   return message.log_time;
 }
 
-void BagLog::add_damage(const Message& message, std::string_view reason) {
-  problems().add(fmt::format("offset {}", message.position),
-                 fmt::format("{}: {}", topic_name(message), reason));
+void BagLog::add_damage(const Message& message, std::string_view reason, const std::string& place) {
+  add_damage(topic_name(message), message.position, reason, place);
+}
+
+void BagLog::add_damage(const std::string& topic,
+                        std::uint64_t position,
+                        std::string_view reason,
+                        const std::string& place) {
+  problems().add(fmt::format("offset {}", position),
+                 fmt::format("{}: {}{}{}", topic, place, place.empty() ? "" : ": ", reason));
+  trust_.count(topic, reason);
+  source_->left_out();
 }
 
 void BagLog::remark_once(const std::string& remark) {
@@ -371,6 +404,7 @@ void BagLog::remark_at_end() {
     remark_once(fmt::format(
         "{}: {} messages carry no usable stamp; the time of recording is used", topic, count));
   }
+  for (const std::string& remark : trust_.remarks()) problems().remarks.push_back(remark);
   for (const auto& [topic, scans] : placed_) {
     for (const std::string& remark : scans.remarks()) remark_once(topic + ": " + remark);
   }
@@ -402,7 +436,7 @@ void BagLog::remark_on_odometry() {
 RecordingFrame BagLog::frame_of(const ros::TransformTree::Link& link) const {
   constexpr double kAnyTime_s = 1e12;
   const Eigen::Isometry3d T =
-      tree_.look_up(link.parent, link.child, last_log_time_, kAnyTime_s).T_target_source;
+      frames_.tree().look_up(link.parent, link.child, last_log_time_, kAnyTime_s).T_target_source;
   const Eigen::Matrix3d& R = T.linear();
   return {.name = link.child,
           .parent = link.parent,
@@ -422,7 +456,7 @@ RecordingOverview BagLog::overview() const {
     overview.topics.push_back(
         {topic.name, topic.type, source_->num_messages()[i], role_of(topic) != TopicRole::kNone});
   }
-  for (const ros::TransformTree::Link& link : tree_.links()) {
+  for (const ros::TransformTree::Link& link : frames_.tree().links()) {
     overview.frames.push_back(frame_of(link));
   }
   overview.first = first_log_time_.value_or(Timestamp{});

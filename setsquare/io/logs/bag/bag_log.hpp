@@ -13,17 +13,22 @@
 #include <vector>
 
 #include "setsquare/io/bags/message_source.hpp"
+#include "setsquare/io/logs/bag/message_trust.hpp"
 #include "setsquare/io/logs/bag/odometry.hpp"
 #include "setsquare/io/logs/bag/placed_scans.hpp"
+#include "setsquare/io/logs/bag/robot_frames.hpp"
 #include "setsquare/io/logs/bag/topic_reader.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 #include "setsquare/io/ros/point_slice.hpp"
-#include "setsquare/io/ros/transform_tree.hpp"
 
 namespace setsquare {
 
 /// The records of a recording of ROS messages: its scans, each with its laser's mounting (by tf)
 /// and with the odometry at its stamp (interpolated), the odometry, turn rates and reference poses.
+///
+/// Messages that are damaged, that cannot be true or that do not go on from what others said before
+/// (MessageCourse) are left out and counted; where scans were placed for a while the mounting stays
+/// (RobotFrames).
 ///
 /// A laser is named by its topic. Records come in file order; a scan waits until what it needs has
 /// come: the transform to its frame for up to kMaxWaitForFrame_s of the recording, a pose of the
@@ -67,6 +72,12 @@ class BagLog final : public RecordStream {
   void add_transform(const ros::TransformStamped& transform,
                      const Message& message,
                      TopicRole role);
+  /// Whether the transform is to be believed; else it is counted.
+  [[nodiscard]] bool is_believed(const ros::TransformStamped& transform, const Message& message);
+  /// As is_believed(), of a scan or a cloud.
+  [[nodiscard]] bool is_believed(Timestamp stamp,
+                                 const std::string& frame_id,
+                                 const Message& message);
   void add_odometry(const std::string& topic,
                     const Message& message,
                     Timestamp stamp,
@@ -80,13 +91,17 @@ class BagLog final : public RecordStream {
   [[nodiscard]] bool is_odometry_settled(const Pending& pending) const;
   [[nodiscard]] bool complete(Pending& pending);
   [[nodiscard]] ros::TransformLookup mounting_of(const std::string& frame, Timestamp stamp) const;
-  [[nodiscard]] std::string base_frame_of(const std::string& frame) const;
   [[nodiscard]] Timestamp in_odometry_clock(const Pending& pending) const;
 
   [[nodiscard]] RecordingFrame frame_of(const ros::TransformTree::Link& link) const;
   [[nodiscard]] const std::string& topic_name(const Message& message) const;
   [[nodiscard]] Timestamp stamp_of(Timestamp header, const Message& message);
-  void add_damage(const Message& message, std::string_view reason);
+  /// `place`: what of the message it concerns; may be empty.
+  void add_damage(const Message& message, std::string_view reason, const std::string& place = {});
+  void add_damage(const std::string& topic,
+                  std::uint64_t position,
+                  std::string_view reason,
+                  const std::string& place = {});
   void remark_once(const std::string& remark);
   void remark_on_place(const std::string& topic, const std::string& reason);
   /// Behind the last record, also of those that had to wait.
@@ -97,7 +112,8 @@ class BagLog final : public RecordStream {
   std::unique_ptr<MessageSource> source_;
   LogOptions options_;
   std::map<std::size_t, TopicReader> readers_;  ///< By the topic's index.
-  ros::TransformTree tree_;
+  RobotFrames frames_;
+  MessageTrust trust_;
   BagOdometry odometry_;
   /// Log time minus stamp of each topic's last message: in a recording that was made faster than
   /// the robot drove, it changes.
