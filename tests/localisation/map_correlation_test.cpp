@@ -59,13 +59,22 @@ class PlainCorrelation {
     }
     return kind(column, row) == 'f' ? -1 : 0;
   }
-  [[nodiscard]] bool may_hold_sensor(int column, int row) const {
+  /// Whether free space lies in the cell, or within some steps from cell to cell that meet no wall.
+  [[nodiscard]] bool may_hold_sensor(int column, int row, int num_steps = 5) const {
+    if (column < 0 || row < 0 || 2 * column >= walls_.num_columns() ||
+        2 * row >= walls_.num_rows()) {
+      return false;
+    }
     for (int y = 2 * row; y < 2 * row + 2; ++y) {
       for (int x = 2 * column; x < 2 * column + 2; ++x) {
         if (walls_.state({x, y}) == CellState::kFree) return true;
       }
     }
-    return false;
+    if (num_steps == 0 || kind(column, row) == 'w') return false;
+    return may_hold_sensor(column - 1, row, num_steps - 1) ||
+           may_hold_sensor(column + 1, row, num_steps - 1) ||
+           may_hold_sensor(column, row - 1, num_steps - 1) ||
+           may_hold_sensor(column, row + 1, num_steps - 1);
   }
   [[nodiscard]] int sum(const SurfaceSamples& samples,
                         double rotation_rad,
