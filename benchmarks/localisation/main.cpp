@@ -3,15 +3,18 @@
 // Scans located in known maps (localisation), and what their probabilities are fitted to.
 //
 //   localisation_study image MAP.yaml FOV_DEG NOISE_M NUM    one scan, random free places of a map
-//   localisation_study half LOG EVERY_M                      one scan, second half in first half's
-//   map localisation_study follow LOG EVERY_M WAY_M              the same, followed from many
-//   starts localisation_study examples SEED NUM                     for benchmarks/localisation/fit
+//   localisation_study half LOG EVERY_M [2]     one scan, second half in first half's map, or (2)
+//                                               first half in second half's
+//   localisation_study follow LOG EVERY_M WAY_M              the same, followed from many starts
+//   localisation_study buildings SEED NUM                    one scan, simulated buildings
+//   localisation_study examples SEED NUM                     for benchmarks/localisation/fit
+//   localisation_study examples LOG EVERY_M 1|2              the same, of the halves of a log
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <string>
 #include <vector>
 
@@ -52,42 +55,54 @@ double share(std::size_t part, std::size_t all) {
 class SingleScans {
  public:
   void add(const KnownPlace& place) {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock();
     const LocatedScan located = locate_scan(place.map, place.scan);
-    times_ms_.push_back(
-        1e3 * std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    times_ms_.push_back(1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    ++num_;
     const bool is_localised = located.status == LocalisationStatus::kLocalised;
-    const bool has_best = !located.places.empty() && place.T_map_sensor;
-    const bool right =
-        has_best && is_right(located.places.front().T_map_sensor, *place.T_map_sensor);
+    const auto place_is_right = [&](const PossiblePlace& found) {
+      return place.T_map_sensor && is_right(found.T_map_sensor, *place.T_map_sensor);
+    };
+    const bool right = !located.places.empty() && place_is_right(located.places.front());
     num_best_right_ += right;
+    num_among_ += std::ranges::any_of(located.places, place_is_right);
     num_localised_right_ += right && is_localised;
     num_localised_wrong_ += !right && is_localised;
+    num_right_ambiguous_ += right && located.status == LocalisationStatus::kAmbiguous;
+    num_right_lost_ += right && located.status == LocalisationStatus::kLost;
     if (!right) return;
     const Pose2 error = place.T_map_sensor->inverse() * located.places.front().T_map_sensor;
     errors_m_.push_back(error.translation().norm());
     errors_deg_.push_back(deg_from_rad(std::abs(error.theta_rad)));
   }
 
-  void print() const {
-    const std::size_t num = times_ms_.size();
+  void print(const char* which) const {
     std::printf(
-        "%zu scans: the most probable place is right (0.5 m, 8 deg) of %.1f %%; localised right "
-        "%.1f %%, localised wrong %zu\nerror of the right ones %.3f m, %.2f deg (medians); %.1f ms "
-        "a scan (median)\n",
-        num,
-        100.0 * share(num_best_right_, num),
-        100.0 * share(num_localised_right_, num),
+        "%s: %zu scans, the most probable place is right (0.5 m, 8 deg) of %.1f %%, one of the "
+        "places of %.1f %%\n  localised right %.1f %%, localised wrong %zu; right but ambiguous "
+        "%.1f %%, right but lost %.1f %%\n  error of the right ones %.3f m, %.2f deg (medians); "
+        "%.1f ms of processor a scan (median)\n",
+        which,
+        num_,
+        100.0 * share(num_best_right_, num_),
+        100.0 * share(num_among_, num_),
+        100.0 * share(num_localised_right_, num_),
         num_localised_wrong_,
+        100.0 * share(num_right_ambiguous_, num_),
+        100.0 * share(num_right_lost_, num_),
         median(errors_m_),
         median(errors_deg_),
         median(times_ms_));
   }
 
  private:
+  std::size_t num_ = 0;
   std::size_t num_best_right_ = 0;
+  std::size_t num_among_ = 0;
   std::size_t num_localised_right_ = 0;
   std::size_t num_localised_wrong_ = 0;
+  std::size_t num_right_ambiguous_ = 0;
+  std::size_t num_right_lost_ = 0;
   std::vector<double> times_ms_;
   std::vector<double> errors_m_;
   std::vector<double> errors_deg_;
@@ -101,10 +116,9 @@ struct Way {
 
 /// Ways of `way_m` whose scans are placed and overlap with the map, begun every `every_m`.
 std::vector<Way> ways_of(const MappedHalf& half, double every_m, double way_m) {
-  constexpr double kOverlap = 0.45;
   const auto overlaps = [&](std::size_t i) {
     return half.T_map_sensor[i] &&
-           overlap_with_map(*half.map, half.scans[i], *half.T_map_sensor[i]) > kOverlap;
+           overlap_with_map(*half.map, half.scans[i], *half.T_map_sensor[i]) > kMinOverlap;
   };
   std::vector<Way> ways;
   Eigen::Vector2d last(1e9, 1e9);
@@ -183,7 +197,7 @@ void print_examples(const KnownPlace& place) {
   }
 }
 
-void print_examples_of(std::uint64_t first_seed, std::uint64_t num_seeds) {
+void visit_buildings(std::uint64_t first_seed, std::uint64_t num_seeds, const VisitPlace& visit) {
   constexpr std::size_t kNumScans = 8;
   const std::array scanners = {utm_30lx(),
                                still_scanner(kPi, 181, 0.02, 30.0),
@@ -194,8 +208,7 @@ void print_examples_of(std::uint64_t first_seed, std::uint64_t num_seeds) {
     for (const BuildingClass building_class : kAllBuildingClasses) {
       for (const bool is_partly_mapped : {false, true}) {
         for (const ScannerModel& scanner : scanners) {
-          visit_building(
-              building_class, seed, scanner, kNumScans, is_partly_mapped, print_examples);
+          visit_building(building_class, seed, scanner, kNumScans, is_partly_mapped, visit);
         }
       }
     }
@@ -203,17 +216,22 @@ void print_examples_of(std::uint64_t first_seed, std::uint64_t num_seeds) {
 }
 
 int usage() {
-  std::fprintf(stderr,
-               "usage: localisation_study image MAP.yaml FOV_DEG NOISE_M NUM | half LOG EVERY_M |\n"
-               "       follow LOG EVERY_M WAY_M | examples SEED NUM\n");
+  std::fprintf(
+      stderr,
+      "usage: localisation_study image MAP.yaml FOV_DEG NOISE_M NUM | half LOG EVERY_M [2] |\n"
+      "       follow LOG EVERY_M WAY_M | buildings SEED NUM | examples SEED NUM |\n"
+      "       examples LOG EVERY_M 1|2\n");
   return 2;
 }
 
 int run(const std::vector<std::string>& words) {
   const auto number = [&](std::size_t i) { return std::strtod(words[i].c_str(), nullptr); };
   const auto count = [&](std::size_t i) { return std::strtoull(words[i].c_str(), nullptr, 10); };
-  SingleScans single;
-  const VisitPlace add = [&](const KnownPlace& place) { single.add(place); };
+  SingleScans others;
+  SingleScans overlapping;
+  const VisitPlace add = [&](const KnownPlace& place) {
+    (place.overlap < kMinOverlap ? others : overlapping).add(place);
+  };
   if (words.size() == 5 && words[0] == "image") {
     const double field_of_view_rad = rad_from_deg(number(2));
     const std::size_t num_beams = field_of_view_rad > kTwoPi - 1e-6 ? 720 : 1081;
@@ -223,14 +241,20 @@ int run(const std::vector<std::string>& words) {
                     count(4),
                     1,
                     add);
-    single.print();
-  } else if (words.size() == 3 && words[0] == "half") {
-    visit_second_half(words[1], number(2), add);
-    single.print();
+    overlapping.print("all");
+  } else if ((words.size() == 3 || words.size() == 4) && words[0] == "half") {
+    visit_other_half(words[1], number(2), words.size() == 4 && count(3) == 2, add);
+    overlapping.print("overlap of 45 % and more");
+    others.print("less");
   } else if (words.size() == 4 && words[0] == "follow") {
     follow(words[1], number(2), number(3));
+  } else if (words.size() == 3 && words[0] == "buildings") {
+    visit_buildings(count(1), count(2), add);
+    overlapping.print("all");
   } else if (words.size() == 3 && words[0] == "examples") {
-    print_examples_of(count(1), count(2));
+    visit_buildings(count(1), count(2), print_examples);
+  } else if (words.size() == 4 && words[0] == "examples") {
+    visit_other_half(words[1], number(2), count(3) == 2, print_examples);
   } else {
     return usage();
   }

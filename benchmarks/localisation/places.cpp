@@ -160,32 +160,35 @@ void visit_building(BuildingClass building_class,
   }
 }
 
-MappedHalf mapped_half(const std::string& log_path) {
+MappedHalf mapped_half(const std::string& log_path, bool maps_second) {
   MappedHalf half;
   std::vector<Scan>& scans = half.scans;
   const auto reader = open_log(log_path);
   while (const LogRecord* record = reader->next()) scans.push_back(record->scan);
   Mapper whole_mapper;
-  Mapper first_mapper;
+  Mapper half_mapper;
+  const std::size_t begin = maps_second ? scans.size() / 2 : 0;
+  const std::size_t end = maps_second ? scans.size() : scans.size() / 2;
   for (std::size_t i = 0; i < scans.size(); ++i) {
     whole_mapper.add(scans[i]);
-    if (i < scans.size() / 2) first_mapper.add(scans[i]);
+    if (i >= begin && i < end) half_mapper.add(scans[i]);
   }
   const Map whole = whole_mapper.finish();
-  const Map first = first_mapper.finish();
+  const Map part = half_mapper.finish();
   // The two maps' frames, by the scans that both have.
   std::vector<PosePair> pairs;
-  for (std::size_t i = 0; i < first.scans.size(); i += 10) {
-    if (!first.scans[i].is_placed || !whole.scans[i].is_placed) continue;
-    pairs.push_back(
-        {whole.scans[i].stamp, whole.scans[i].T_map_sensor, first.scans[i].T_map_sensor});
+  const std::size_t stride = std::clamp<std::size_t>(part.scans.size() / 50, 1, 10);
+  for (std::size_t i = 0; i < part.scans.size(); i += stride) {
+    const MappedScan& in_whole = whole.scans[begin + i];
+    if (!part.scans[i].is_placed || !in_whole.is_placed) continue;
+    pairs.push_back({in_whole.stamp, in_whole.T_map_sensor, part.scans[i].T_map_sensor});
   }
-  const Pose2 T_first_whole = best_rigid_alignment(pairs);
+  const Pose2 T_part_whole = best_rigid_alignment(pairs);
   for (const MappedScan& scan : whole.scans) {
-    half.T_map_sensor.push_back(scan.is_placed ? std::optional(T_first_whole * scan.T_map_sensor)
+    half.T_map_sensor.push_back(scan.is_placed ? std::optional(T_part_whole * scan.T_map_sensor)
                                                : std::nullopt);
   }
-  half.map = std::make_shared<const KnownMap>(occupancy_grid(first));
+  half.map = std::make_shared<const KnownMap>(occupancy_grid(part));
   return half;
 }
 
@@ -202,16 +205,25 @@ double overlap_with_map(const KnownMap& map, const Scan& scan, const Pose2& T_ma
   return points.empty() ? 0.0 : static_cast<double>(num_near) / static_cast<double>(points.size());
 }
 
-void visit_second_half(const std::string& log_path, double every_m, const VisitPlace& visit) {
-  const MappedHalf half = mapped_half(log_path);
+void visit_other_half(const std::string& log_path,
+                      double every_m,
+                      bool maps_second,
+                      const VisitPlace& visit) {
+  const MappedHalf half = mapped_half(log_path, maps_second);
+  const std::size_t middle = half.scans.size() / 2;
+  const std::size_t begin = maps_second ? 0 : middle;
+  const std::size_t end = maps_second ? middle : half.scans.size();
+  // Those that overlap are every so many metres, too, whatever lies between them.
   Eigen::Vector2d last(1e9, 1e9);
-  for (std::size_t i = half.scans.size() / 2; i < half.scans.size(); ++i) {
+  Eigen::Vector2d last_overlapping(1e9, 1e9);
+  for (std::size_t i = begin; i < end; ++i) {
     if (!half.T_map_sensor[i]) continue;
     const Pose2& T = *half.T_map_sensor[i];
-    if ((T.translation() - last).norm() < every_m) continue;
-    if (overlap_with_map(*half.map, half.scans[i], T) < 0.45) continue;
-    last = T.translation();
-    visit({*half.map, half.scans[i], T});
+    const double overlap = overlap_with_map(*half.map, half.scans[i], T);
+    Eigen::Vector2d& before = overlap < kMinOverlap ? last : last_overlapping;
+    if ((T.translation() - before).norm() < every_m) continue;
+    before = T.translation();
+    visit({*half.map, half.scans[i], T, overlap});
   }
 }
 

@@ -23,6 +23,7 @@ struct KnownPlace {
   const KnownMap& map;
   const Scan& scan;
   std::optional<Pose2> T_map_sensor;
+  double overlap = 1.0;  ///< overlap_with_map() there.
 };
 using VisitPlace = std::function<void(const KnownPlace&)>;
 
@@ -48,22 +49,28 @@ void visit_building(BuildingClass building_class,
                     bool is_partly_mapped,
                     const VisitPlace& visit);
 
-/// A log, the map of its first half, and where the map of the whole has its scans in that map's
+/// A log, the map of one of its halves, and where the map of the whole has its scans in that map's
 /// frame.
 struct MappedHalf {
   std::vector<Scan> scans;
   std::shared_ptr<const KnownMap> map;
   std::vector<std::optional<Pose2>> T_map_sensor;
 };
-[[nodiscard]] MappedHalf mapped_half(const std::string& log_path);
+[[nodiscard]] MappedHalf mapped_half(const std::string& log_path, bool maps_second = false);
+
+/// What a scan must overlap with a map to be found in it.
+inline constexpr double kMinOverlap = 0.45;
 
 /// Share of a scan's returns that lie within 12 cm of a wall of the map.
 [[nodiscard]] double overlap_with_map(const KnownMap& map,
                                       const Scan& scan,
                                       const Pose2& T_map_sensor);
 
-/// Scans of the second half of a log in the map of the first, where they overlap by 45 %; places by
-/// the map of the whole.
-void visit_second_half(const std::string& log_path, double every_m, const VisitPlace& visit);
+/// Scans of one half of a log in the map of the other, apart by some way; places by the map of the
+/// whole.
+void visit_other_half(const std::string& log_path,
+                      double every_m,
+                      bool maps_second,
+                      const VisitPlace& visit);
 
 }  // namespace setsquare::experiments

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "setsquare/localisation/map_correlation.hpp"
+
 namespace setsquare {
 namespace {
 
@@ -13,6 +15,9 @@ constexpr double kNever = std::numeric_limits<double>::infinity();
 
 /// Unknown space that a ray may cross on its way to a wall: single cells were never passed.
 constexpr double kMaxUnknown_m = 0.3;
+/// ... and about a sensor that stands in such space this much: where a robot stands it is free.
+constexpr double kUnknownAboutSensor_m = 1.0;
+static_assert(kUnknownAboutSensor_m >= MapCorrelation::kBeyondFree_m);
 
 }  // namespace
 
@@ -47,7 +52,7 @@ double range_to_wall(
   };
   land(0.0);
   constexpr double kNear_cells = 4.0;
-  double known_until = 0.0;
+  double known_until = (kUnknownAboutSensor_m - kMaxUnknown_m) / cell_m;
   while (t < end) {
     if (!walls.contains(cell)) return std::numeric_limits<double>::quiet_NaN();
     const CellState state = walls.state(cell);

@@ -10,7 +10,8 @@ namespace setsquare {
 
 /// How far a ray from a place in the grid's frame goes until it meets a wall, in m: the point of
 /// the ray that is nearest to the middle of the wall's cell. Infinite where it meets none within
-/// `max_range_m`, NaN where it runs through space that the grid does not know.
+/// `max_range_m`, NaN where it runs through space that the grid does not know. A place in such
+/// space is free about itself, as far as a metre: a robot stands there.
 [[nodiscard]] double range_to_wall(
     const WallDistance& walls, double x_m, double y_m, double bearing_rad, double max_range_m);
 

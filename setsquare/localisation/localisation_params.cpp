@@ -23,6 +23,7 @@ void PlaceSearchParams::validate() const {
 void LocalisationParams::validate() const {
   search.validate();
   require_share(min_probability, "min_probability");
+  require_share(min_probability_at_once, "min_probability_at_once");
   require_share(min_in_map, "min_in_map");
   require_not_negative(evidence_m, "evidence_m");
   require_not_negative(evidence_rad, "evidence_rad");

@@ -11,9 +11,9 @@ namespace setsquare {
 /// How the places of a map are searched.
 struct PlaceSearchParams {
   std::size_t num_rotations = 120;  ///< Of the circle.
-  std::size_t num_proposals = 200;  ///< Best of the correlation.
-  std::size_t num_compared = 60;    ///< Best of those, all different, compared range by range.
-  std::size_t num_verified = 12;    ///< Best of those, verified.
+  std::size_t num_proposals = 400;  ///< Best of the correlation.
+  std::size_t num_compared = 120;   ///< Best of those, all different, compared range by range.
+  std::size_t num_verified = 30;    ///< Best of those, verified.
 
   /// Throws ParameterError that names the field.
   void validate() const;
@@ -21,9 +21,10 @@ struct PlaceSearchParams {
 
 /// How scan after scan is followed in a map. Every default works.
 struct LocalisationParams {
-  PlaceSearchParams search;       ///< How places are found.
-  double min_probability = 0.97;  ///< Of one place: localised.
-  double min_in_map = 0.5;        ///< Of all places together: ambiguous, else lost.
+  PlaceSearchParams search;                ///< How places are found.
+  double min_probability = 0.97;           ///< Of one place: localised.
+  double min_probability_at_once = 0.985;  ///< The same where one scan is all there is.
+  double min_in_map = 0.5;                 ///< Of all places together: ambiguous, else lost.
   /// Scans speak for or against places, and are searched for while the place is not known, after
   /// this way or turn: nearer ones tell the same again.
   double evidence_m = 0.4;

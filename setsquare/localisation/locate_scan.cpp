@@ -12,14 +12,17 @@
 
 namespace setsquare {
 
-LocalisationStatus status_of(double best, double in_map, const LocalisationParams& params) {
-  if (best >= params.min_probability) return LocalisationStatus::kLocalised;
+LocalisationStatus status_of(double best,
+                             double min_probability,
+                             double in_map,
+                             const LocalisationParams& params) {
+  if (best >= min_probability) return LocalisationStatus::kLocalised;
   return in_map >= params.min_in_map ? LocalisationStatus::kAmbiguous : LocalisationStatus::kLost;
 }
 
 LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
   const std::vector<VerifiedPlace> found = search_places(map, sought_scan(scan), params.search);
-  const PlaceScale scale = place_scale(found);
+  const PlaceScale scale = place_scale(found, true);
   std::vector<double> log_odds;
   for (const VerifiedPlace& place : found) log_odds.push_back(place_log_odds(place, scale));
   const std::vector<double> probabilities = place_probabilities(log_odds);
@@ -35,7 +38,7 @@ LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const Localisatio
   std::ranges::stable_sort(located.places, std::ranges::greater{}, &PossiblePlace::probability);
   const double in_map = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
   const double best = located.places.empty() ? 0.0 : located.places.front().probability;
-  located.status = status_of(best, in_map, params);
+  located.status = status_of(best, params.min_probability_at_once, in_map, params);
   return located;
 }
 

@@ -30,8 +30,10 @@ struct LocatedScan {
   std::vector<PossiblePlace> places;  ///< The most probable first; the rest is "elsewhere".
 };
 
-/// Localised where the most probable place reaches its threshold, ambiguous where all together do.
+/// Localised where the most probable place reaches its threshold, ambiguous where all together
+/// (`in_map`) reach params.min_in_map.
 [[nodiscard]] LocalisationStatus status_of(double best,
+                                           double min_probability,
                                            double in_map,
                                            const LocalisationParams& params);
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "setsquare/core/wider_clones.hpp"
 
@@ -96,6 +97,7 @@ MapCorrelation::MapCorrelation(const WallDistance& walls) {
       }
     }
   }
+  widen_free_space();
   for (std::int32_t row = 0; row < num_rows_; ++row) {
     for (std::int32_t column = 0; column < tiled_columns; column += kWidth) {
       const std::uint8_t* first = &is_free_[cell_index(column, row)];
@@ -103,6 +105,24 @@ MapCorrelation::MapCorrelation(const WallDistance& walls) {
         tiles_.push_back({column, row});
       }
     }
+  }
+}
+
+void MapCorrelation::widen_free_space() {
+  const auto stride = static_cast<std::size_t>(stride_);
+  const auto num_steps = static_cast<int>(std::lround(kBeyondFree_m / cell_m_));
+  for (int step = 0; step < num_steps; ++step) {
+    std::vector<std::uint8_t> wider = is_free_;
+    for (std::int32_t row = 0; row < num_rows_; ++row) {
+      for (std::int32_t column = 0; column < num_columns_; ++column) {
+        const std::size_t cell = cell_index(column, row);
+        if (cells_[cell] == kWallValue) continue;
+        for (const std::size_t next : {cell - 1, cell + 1, cell - stride, cell + stride}) {
+          if (is_free_[next] != 0) wider[cell] = 1;
+        }
+      }
+    }
+    is_free_ = std::move(wider);
   }
 }
 

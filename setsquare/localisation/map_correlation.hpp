@@ -20,12 +20,15 @@ struct MapProposal {
 
 /// A whole map as a grid of bytes: walls positive, free space negative, unknown zero, as
 /// CorrelationGrid is of one scan. One rotation of a scan is correlated with it under every
-/// translation that puts the sensor into free space: a sample adds a shifted row, many translations
-/// per instruction.
+/// translation that puts the sensor into free space, or a little beyond where nothing was seen: a
+/// sample adds a shifted row, many translations per instruction.
 class MapCorrelation {
  public:
-  static constexpr double kCell_m = 0.2;         ///< As near to it as the grid's cells allow.
-  static constexpr int kMaxSamples = 60;         ///< Keeps the sums within a byte.
+  static constexpr double kCell_m = 0.2;  ///< As near to it as the grid's cells allow.
+  static constexpr int kMaxSamples = 60;  ///< Keeps the sums within a byte.
+  /// The sensor may stand as far as this beyond free space, where no wall is between: a robot looks
+  /// back into the map from where it ends.
+  static constexpr double kBeyondFree_m = 1.0;
   static constexpr double kMaxReach_m = 30.0;    ///< Samples farther from the sensor have no part.
   static constexpr std::size_t kTileWidth = 64;  ///< Translations that are summed at once.
 
@@ -54,6 +57,9 @@ class MapCorrelation {
     std::int32_t column;
     std::int32_t row;
   };
+
+  /// Lets the sensor stand kBeyondFree_m beyond free space.
+  void widen_free_space();
 
   [[nodiscard]] std::size_t cell_index(std::int32_t column, std::int32_t row) const {
     return static_cast<std::size_t>(row + margin_) * static_cast<std::size_t>(stride_) +

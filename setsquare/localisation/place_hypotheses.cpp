@@ -100,7 +100,7 @@ void PlaceHypotheses::weigh(const SoughtScan& sought, double weight, bool search
     }
   }
   if (places.empty()) return;
-  const PlaceScale scale = place_scale(places);
+  const PlaceScale scale = place_scale(places, searches);
   std::vector<double> log_odds;
   for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
   std::vector<Hypothesis> found;
@@ -262,7 +262,7 @@ LocalisedPose PlaceHypotheses::answer(const Scan& scan) const {
       pose.alternatives.push_back(place);
     }
   }
-  pose.status = status_of(pose.probability, in_map, params_);
+  pose.status = status_of(pose.probability, params_.min_probability, in_map, params_);
   if (unconfirmed_m_ > params_.max_unconfirmed_m) pose.status = LocalisationStatus::kLost;
   return pose;
 }

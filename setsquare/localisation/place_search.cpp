@@ -117,20 +117,28 @@ ComparedBeams compared_beams(const Scan& scan) {
   return beams;
 }
 
-/// How ranges agree with those that are to be expected: 1 where all do, -1 where all go through
-/// walls.
-double range_agreement(const WallDistance& walls,
-                       const ComparedBeams& beams,
-                       double max_range_m,
-                       const Pose2& T) {
+/// How ranges agree with those that are to be expected.
+struct RangeAgreement {
+  double mean = -1.0;           ///< 1 where all agree, -1 where all go through walls.
+  double unjudged_share = 1.0;  ///< Of the beams: as in VerifiedPlace.
+};
+
+RangeAgreement range_agreement(const WallDistance& walls,
+                               const ComparedBeams& beams,
+                               double max_range_m,
+                               const Pose2& T) {
   constexpr double kTolerance_m = 0.3;
   constexpr double kShort = -0.5;  ///< Something stands before the wall: people, new things.
   double sum = 0.0;
+  std::size_t num_unjudged = 0;
   for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
     const double expected_m =
         range_to_wall(walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
     const double range_m = beams.range_m[i];
-    if (std::isnan(expected_m)) continue;
+    if (std::isnan(expected_m)) {
+      num_unjudged += !std::isinf(range_m);
+      continue;
+    }
     if (std::isinf(range_m)) {
       // No return proves little: dark and slanting things give none.
       sum += std::isinf(expected_m) ? 0.5 : 0.0;
@@ -145,25 +153,9 @@ double range_agreement(const WallDistance& walls,
       sum += beyond_m > 0.0 ? -1.0 : kShort;
     }
   }
-  return beams.range_m.empty() ? -1.0 : sum / static_cast<double>(beams.range_m.size());
-}
-
-/// Of the returns, the share that lies on walls or where the map knows what is there.
-double known_share(const WallDistance& walls, const ComparedBeams& beams, const Pose2& T) {
-  constexpr float kNearWall_m = 0.15F;
-  std::size_t num_returns = 0;
-  std::size_t num_known = 0;
-  for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
-    if (std::isinf(beams.range_m[i])) continue;
-    const double bearing_rad = T.theta_rad + beams.bearing_rad[i];
-    const double x_m = T.x_m + beams.range_m[i] * std::cos(bearing_rad);
-    const double y_m = T.y_m + beams.range_m[i] * std::sin(bearing_rad);
-    ++num_returns;
-    const bool is_near_wall =
-        walls.slope_at(static_cast<float>(x_m), static_cast<float>(y_m)).distance_m < kNearWall_m;
-    num_known += is_near_wall || walls.state(walls.cell_at(x_m, y_m)) != CellState::kUnknown;
-  }
-  return num_returns > 0 ? static_cast<double>(num_known) / static_cast<double>(num_returns) : 0.0;
+  if (beams.range_m.empty()) return {};
+  const auto num_beams = static_cast<double>(beams.range_m.size());
+  return {sum / num_beams, static_cast<double>(num_unjudged) / num_beams};
 }
 
 /// Of the samples' wall, the share on which no line fits.
@@ -178,11 +170,13 @@ double unlined_share(const SurfaceSamples& samples) {
   return all_m > 0.0F ? unlined_m / all_m : 1.0;
 }
 
+RangeAgreement range_agreement(const KnownMap& map, const SoughtScan& scan, const Pose2& T) {
+  return range_agreement(map.walls(), scan.compared, scan.beams.max_range_m, T);
+}
+
 /// On the walls, and range by range.
-double fit_with_ranges(const KnownMap& map, const SoughtScan& scan, const RoughPlace& place) {
-  const double agreement =
-      range_agreement(map.walls(), scan.compared, scan.beams.max_range_m, place.T_grid_sensor);
-  return 0.5 * (place.fit + agreement);
+double whole_fit(double fit_on_walls, const RangeAgreement& ranges) {
+  return 0.5 * (fit_on_walls + ranges.mean);
 }
 
 std::vector<MapProposal> propose_places(const KnownMap& map,
@@ -241,9 +235,9 @@ VerifiedPlace verified_place(const KnownMap& map,
       align(expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
   place.score = score(aligned.evidence, params.score);
   place.unlined_share = unlined_share(scan.prepared.fine);
-  place.known_share = known_share(map.walls(), scan.compared, place.T_grid_sensor);
-  place.fit = fit_with_ranges(
-      map, scan, {place.T_grid_sensor, fit_at(map.walls(), scan.proposing, place.T_grid_sensor)});
+  const RangeAgreement ranges = range_agreement(map, scan, place.T_grid_sensor);
+  place.unjudged_share = ranges.unjudged_share;
+  place.fit = whole_fit(fit_at(map.walls(), scan.proposing, place.T_grid_sensor), ranges);
   place.kinds = wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
   place.constraint = wall_constraint(refined.pose_hessian);
   place.distinct_wall_m = distinct_wall_m(
@@ -270,7 +264,7 @@ std::vector<VerifiedPlace> search_places(const KnownMap& map,
     if (!is_known) different.push_back(place);
   }
   for (RoughPlace& place : different) {
-    place.fit = fit_with_ranges(map, scan, place);
+    place.fit = whole_fit(place.fit, range_agreement(map, scan, place.T_grid_sensor));
   }
   std::stable_sort(different.begin(), different.end(), [](const auto& a, const auto& b) {
     return a.fit > b.fit;

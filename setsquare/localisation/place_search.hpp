@@ -40,7 +40,9 @@ struct VerifiedPlace {
   TwoWayKinds kinds;   ///< The scan's wall on the expected one, and back.
   WallConstraint constraint;
   double distinct_wall_m = 0.0;
-  double known_share = 0.0;  ///< Of the returns, that lie where the map knows what is there.
+  /// Of the beams, those that returned along rays through space that the map does not know: they
+  /// speak neither for the place nor against it.
+  double unjudged_share = 1.0;
   /// Of the scan's wall, on which no line fits: much of it where ranges are noisy.
   double unlined_share = 0.0;
   Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< In the grid's frame.

@@ -70,6 +70,23 @@ TEST(RangeToWall, IsOpenWhereNothingIsMetAndUnknownWhereTheMapKnowsNothing) {
   EXPECT_TRUE(std::isnan(range_to_wall(walls, -5.0, 1.0, 0.0, 30.0)));
 }
 
+TEST(RangeToWall, PassesTheUnknownMetreAboutTheSensorAndNoMore) {
+  // Free from 2 m on, a wall at 5 m; nothing is known before but a wall along the ray.
+  OccupancyGrid grid({}, 0.05, 120, 40);
+  for (std::int32_t row = 0; row < 40; ++row) {
+    for (std::int32_t column = 40; column < 100; ++column) {
+      grid.values()[grid.index({column, row})] = -1.0F;
+    }
+    grid.values()[grid.index({100, row})] = 2.0F;
+  }
+  for (std::int32_t column = 0; column < 100; ++column) {
+    grid.values()[grid.index({column, 23})] = 2.0F;
+  }
+  const WallDistance walls(grid);
+  EXPECT_NEAR(range_to_wall(walls, 1.2, 1.0, 0.0, 10.0), 3.8, 0.051);
+  EXPECT_TRUE(std::isnan(range_to_wall(walls, 0.8, 1.0, 0.0, 10.0)));
+}
+
 TEST(LayoutOf, KeepsTheSweepAndIsNoDenserThanHalfADegree) {
   Scan scan;
   scan.first_bearing_rad = rad_from_deg(135.0);

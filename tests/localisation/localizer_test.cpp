@@ -164,6 +164,9 @@ TEST_F(MappedRoom, RefusesWhatIsNoScanOrNoPose) {
   LocalisationParams params;
   params.min_probability = 1.5;
   EXPECT_THROW(Localizer(map_, params), ParameterError);
+  params = {};
+  params.min_probability_at_once = -0.1;
+  EXPECT_THROW(Localizer(map_, params), ParameterError);
   Localizer localizer(map_);
   EXPECT_THROW(localizer.set_pose({std::nan(""), 0.0, 0.0}), ParameterError);
   EXPECT_THROW((void)localizer.add(scans_[0], Pose2{0.0, std::nan(""), 0.0}), ParameterError);

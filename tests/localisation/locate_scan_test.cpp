@@ -153,6 +153,42 @@ TEST(LocateScan, AScanOfAnotherRoomIsNotLocalised) {
   }
 }
 
+TEST(LocateScan, FindsTheSensorALittleBeyondWhatTheMapKnows) {
+  auto generator = testing::make_generator();
+  constexpr int kNumRooms = 10;
+  int num_right = 0;
+  for (int k = 0; k < kNumRooms; ++k) {
+    MappedRoom mapped = mapped_room(generator);
+    const Pose2 truth = testing::free_pose(mapped.room, generator);
+    // Nothing was seen about the place, but the walls were.
+    OccupancyGrid& grid = mapped.grid;
+    for (std::int32_t row = 0; row < grid.num_rows(); ++row) {
+      for (std::int32_t column = 0; column < grid.num_columns(); ++column) {
+        const Pose2 at =
+            grid.T_map_grid() *
+            Pose2{(column + 0.5) * grid.resolution_m(), (row + 0.5) * grid.resolution_m(), 0.0};
+        float& value = grid.values()[grid.index({column, row})];
+        if (distance_m(at, truth) < 0.8 && value < 0.0F) value = 0.0F;
+      }
+    }
+    const LocatedScan located =
+        locate_scan(KnownMap(grid), scan_at(mapped.room.walls, truth, generator));
+    num_right +=
+        !located.places.empty() && distance_m(located.places.front().T_map_sensor, truth) < 0.1;
+  }
+  EXPECT_GE(num_right, kNumRooms * 9 / 10);
+}
+
+TEST(StatusOf, OneScanMustBeSurerThanAWay) {
+  const LocalisationParams params;
+  const double between = 0.5 * (params.min_probability + params.min_probability_at_once);
+  EXPECT_EQ(status_of(between, params.min_probability, 1.0, params),
+            LocalisationStatus::kLocalised);
+  EXPECT_EQ(status_of(between, params.min_probability_at_once, 1.0, params),
+            LocalisationStatus::kAmbiguous);
+  EXPECT_EQ(status_of(0.1, params.min_probability, 0.2, params), LocalisationStatus::kLost);
+}
+
 TEST(LocateScan, OfNothingFindsNothing) {
   auto generator = testing::make_generator();
   const MappedRoom mapped = mapped_room(generator);

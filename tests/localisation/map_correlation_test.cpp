@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -59,13 +60,22 @@ class PlainCorrelation {
     }
     return kind(column, row) == 'f' ? -1 : 0;
   }
-  [[nodiscard]] bool may_hold_sensor(int column, int row) const {
+  /// Whether free space lies in the cell, or within some steps from cell to cell that meet no wall.
+  [[nodiscard]] bool may_hold_sensor(int column, int row, int num_steps = 5) const {
+    if (column < 0 || row < 0 || 2 * column >= walls_.num_columns() ||
+        2 * row >= walls_.num_rows()) {
+      return false;
+    }
     for (int y = 2 * row; y < 2 * row + 2; ++y) {
       for (int x = 2 * column; x < 2 * column + 2; ++x) {
         if (walls_.state({x, y}) == CellState::kFree) return true;
       }
     }
-    return false;
+    if (num_steps == 0 || kind(column, row) == 'w') return false;
+    return may_hold_sensor(column - 1, row, num_steps - 1) ||
+           may_hold_sensor(column + 1, row, num_steps - 1) ||
+           may_hold_sensor(column, row - 1, num_steps - 1) ||
+           may_hold_sensor(column, row + 1, num_steps - 1);
   }
   [[nodiscard]] int sum(const SurfaceSamples& samples,
                         double rotation_rad,
@@ -127,6 +137,7 @@ TEST(MapCorrelation, ProposesTheLocalMaximaOfThePlainSums) {
     std::vector<MapProposal> proposals;
     correlation.propose(samples, rotation_rad, floor, scratch, proposals);
     bool has_highest = false;
+    std::set<std::pair<int, int>> proposed;
     for (const MapProposal& proposal : proposals) {
       const int column = static_cast<int>(std::floor(proposal.T_grid_sensor.x_m / 0.2));
       const int row = static_cast<int>(std::floor(proposal.T_grid_sensor.y_m / 0.2));
@@ -134,12 +145,31 @@ TEST(MapCorrelation, ProposesTheLocalMaximaOfThePlainSums) {
       EXPECT_GE(proposal.correlation, floor);
       EXPECT_TRUE(plain.may_hold_sensor(column, row));
       has_highest |= proposal.correlation == highest;
+      proposed.insert({column, row});
     }
     const bool may_be_there = std::any_of(sums.begin(), sums.end(), [&](const auto& entry) {
       return entry.second == highest &&
              plain.may_hold_sensor(entry.first.first, entry.first.second);
     });
     EXPECT_TRUE(has_highest || !may_be_there);
+    // None is left out, a little beyond free space neither.
+    for (const auto& [cell, sum] : sums) {
+      const auto [column, row] = cell;
+      const bool is_inside =
+          column > 0 && row > 0 && column + 1 < num_columns && row + 1 < num_rows;
+      if (!is_inside || sum < floor || !plain.may_hold_sensor(column, row)) continue;
+      const int before = std::max({sums[{column - 1, row - 1}],
+                                   sums[{column, row - 1}],
+                                   sums[{column + 1, row - 1}],
+                                   sums[{column - 1, row}]});
+      const int after = std::max({sums[{column + 1, row + 1}],
+                                  sums[{column, row + 1}],
+                                  sums[{column - 1, row + 1}],
+                                  sums[{column + 1, row}]});
+      if (sum > before && sum >= after) {
+        EXPECT_TRUE(proposed.contains({column, row}));
+      }
+    }
   }
 }
 

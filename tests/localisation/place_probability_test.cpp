@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
+#include "setsquare/localisation/localisation_params.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare::place_probability_test {
@@ -50,6 +53,64 @@ TEST(PlaceRank, GrowsWithWhatAgreesAndFallsWithWhatDoesNot) {
   worse.kinds.backward.unexplained_m = 5.0;
   EXPECT_LT(place_rank(place_features(worse)), place_rank(before));
   EXPECT_LT(presence_log_odds(place_features(worse)), presence_log_odds(before));
+}
+
+/// Places 10 m apart that differ in fit alone.
+std::vector<VerifiedPlace> places_of_fits(const std::vector<double>& fits) {
+  std::vector<VerifiedPlace> places(fits.size());
+  for (std::size_t i = 0; i < fits.size(); ++i) {
+    places[i].T_grid_sensor.x_m = 10.0 * static_cast<double>(i);
+    places[i].fit = fits[i];
+    places[i].unjudged_share = 0.0;
+  }
+  return places;
+}
+
+TEST(PlaceStanding, IsHowFarTheBestRanksAboveTheSecondAndTheNextFive) {
+  auto generator = testing::make_generator();
+  for (int trial = 0; trial < 50; ++trial) {
+    std::vector<double> fits(static_cast<std::size_t>(2 + trial % 9));
+    for (double& fit : fits) fit = testing::uniform(generator, -1.0, 1.0);
+    const std::vector<VerifiedPlace> places = places_of_fits(fits);
+    std::vector<double> ranks;
+    for (const VerifiedPlace& place : places) ranks.push_back(place_rank(place_features(place)));
+    std::ranges::sort(ranks, std::ranges::greater{});
+    double sum = 0.0;
+    std::size_t num = 0;
+    for (std::size_t i = 1; i < ranks.size() && i <= 5; ++i, ++num) {
+      sum += std::min(PlaceStanding::kMost, ranks[0] - ranks[i]);
+    }
+    const PlaceStanding standing = place_standing(places);
+    EXPECT_NEAR(standing.above_second, std::min(PlaceStanding::kMost, ranks[0] - ranks[1]), 1e-9);
+    EXPECT_NEAR(standing.above_others, sum / static_cast<double>(num), 1e-9);
+  }
+}
+
+TEST(PlaceStanding, OfOnePlaceIsTheFarthestWhereverItWasFoundTwice) {
+  std::vector<VerifiedPlace> places = places_of_fits({0.5, 0.45});
+  places[1].T_grid_sensor = places[0].T_grid_sensor;
+  EXPECT_EQ(place_standing(places).above_second, PlaceStanding::kMost);
+  EXPECT_EQ(place_standing(places).above_others, PlaceStanding::kMost);
+}
+
+TEST(PresenceLogOdds, GrowWithTheStandingAmongThePlacesOfTheWholeMap) {
+  // The same best place: chance finds many that are as good, a right one is alone.
+  const auto presence = [](const std::vector<double>& fits) {
+    return place_scale(places_of_fits(fits), true).presence;
+  };
+  EXPECT_GT(presence({0.6, 0.0, 0.0, 0.0}), presence({0.6, 0.5, 0.0, 0.0}));
+  EXPECT_GT(presence({0.6, 0.5, 0.0, 0.0}), presence({0.6, 0.5, 0.5, 0.5}));
+}
+
+TEST(PlaceLogOdds, OfAPlaceThatTheMapCannotJudgeAreNeverSure) {
+  // A view along a corridor whose end is not mapped.
+  VerifiedPlace place = places_of_fits({0.6}).front();
+  const PlaceScale scale{place_rank(place_features(place)), 8.0};
+  EXPECT_NEAR(place_log_odds(place, scale), 8.0, 1e-12);
+  place.unjudged_share = kMaxUnjudged + 0.01;
+  EXPECT_NEAR(place_log_odds(place, scale), kUnsure, 1e-12);
+  const std::vector<double> odds{place_log_odds(place, scale)};
+  EXPECT_LT(place_probabilities(odds).front(), LocalisationParams{}.min_probability);
 }
 
 }  // namespace setsquare::place_probability_test
