@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -26,14 +27,28 @@ OccupancyGrid room_with_posts(std::mt19937_64& generator) {
   return grid;
 }
 
-/// The first wall cell met in steps of a hundredth of a cell.
-double plain_range_m(const WallDistance& walls, double x_m, double y_m, double bearing_rad) {
-  for (double range_m = 0.0; range_m < 30.0; range_m += 0.0005) {
-    const CellIndex cell =
-        walls.cell_at(x_m + range_m * std::cos(bearing_rad), y_m + range_m * std::sin(bearing_rad));
-    if (walls.state(cell) == CellState::kOccupied) return range_m;
+/// Where the ray enters the first wall cell on it, by looking at every cell of the grid: between
+/// the lines through its sides, in x and in y.
+double plain_range_m(const OccupancyGrid& grid,
+                     const WallDistance& walls,
+                     double x_m,
+                     double y_m,
+                     double bearing_rad) {
+  const double cell_m = grid.resolution_m();
+  double nearest_m = 30.0;
+  for (std::int32_t row = 0; row < 120; ++row) {
+    for (std::int32_t column = 0; column < 160; ++column) {
+      if (walls.state({column, row}) != CellState::kOccupied) continue;
+      const auto [from_x, to_x] =
+          std::minmax({(column * cell_m - x_m) / std::cos(bearing_rad),
+                       ((column + 1) * cell_m - x_m) / std::cos(bearing_rad)});
+      const auto [from_y, to_y] = std::minmax({(row * cell_m - y_m) / std::sin(bearing_rad),
+                                               ((row + 1) * cell_m - y_m) / std::sin(bearing_rad)});
+      const double enters_m = std::max({from_x, from_y, 0.0});
+      if (enters_m < std::min(to_x, to_y)) nearest_m = std::min(nearest_m, enters_m);
+    }
   }
-  return 30.0;
+  return nearest_m;
 }
 
 TEST(RangeToWall, EndsInTheFirstWallCellOnTheRay) {
@@ -42,12 +57,13 @@ TEST(RangeToWall, EndsInTheFirstWallCellOnTheRay) {
   std::uniform_real_distribution<double> y(0.6, 5.4);
   std::uniform_real_distribution<double> bearing(-kPi, kPi);
   for (int trial = 0; trial < 10; ++trial) {
-    const WallDistance walls(room_with_posts(generator));
+    const OccupancyGrid grid = room_with_posts(generator);
+    const WallDistance walls(grid);
     for (int k = 0; k < 100; ++k) {
       const double x_m = x(generator);
       const double y_m = y(generator);
       const double bearing_rad = bearing(generator);
-      const double enters_m = plain_range_m(walls, x_m, y_m, bearing_rad);
+      const double enters_m = plain_range_m(grid, walls, x_m, y_m, bearing_rad);
       const double range_m = range_to_wall(walls, x_m, y_m, bearing_rad, 30.0);
       // Somewhere between where the ray enters the cell and the cell's diagonal.
       EXPECT_GE(range_m, enters_m - 0.001);
