@@ -36,6 +36,10 @@ class MappedPose:
     doubts: tuple = ()
 
 
+def _median(values):
+    return statistics.median(values) if values else None
+
+
 @dataclasses.dataclass
 class Verdict:
     num_poses: int
@@ -48,18 +52,27 @@ class Verdict:
     num_turned: int      # and those of which the heading is.
     first_silent: int    # Scan, -1 where there is none.
     doubts: tuple = ()
+    heading_sigmas_deg: tuple = ()  # As reported of the placed poses.
 
     @property
     def is_wrong_and_silent(self):
         return self.num_silent > 0
 
+    @property
+    def squares_of_headings(self):
+        """Of each placed pose the square of its heading's error over the spread reported for it."""
+        return [(off / max(sigma, LEAST_SIGMA_DEG)) ** 2
+                for off, sigma in zip(self.errors_deg, self.heading_sigmas_deg)]
+
     def as_json(self):
         worst = {"worst_m": max(self.errors_m, default=None),
                  "worst_deg": max(self.errors_deg, default=None)}
         return {"poses": self.num_poses, "placed": self.num_placed,
-                "median_m": statistics.median(self.errors_m) if self.errors_m else None, **worst,
+                "median_m": _median(self.errors_m), **worst,
                 "wrong": self.num_wrong, "silent": self.num_silent, "beyond": self.num_beyond,
-                "turned": self.num_turned, "first_silent": self.first_silent, "doubts": list(self.doubts)}
+                "turned": self.num_turned, "heading_squares": sum(self.squares_of_headings),
+                "heading_median_deg": _median(self.errors_deg),
+                "heading_sigma_deg": _median(self.heading_sigmas_deg), "first_silent": self.first_silent, "doubts": list(self.doubts)}
 
 
 def _turned_onto(truth, mapped):
@@ -99,7 +112,7 @@ def judge(truth, mapped):
     errors = errors_of([truth[i] for i in placed], [mapped[i] for i in placed]) if placed else []
     doubts = {doubt for pose in mapped if pose is not None for doubt in pose.doubts}
     verdict = Verdict(len(truth), len(placed), [m for m, _ in errors], [d for _, d in errors], 0, 0,
-                      0, 0, -1, tuple(sorted(doubts)))
+                      0, 0, -1, tuple(sorted(doubts)), tuple(mapped[i].sigma_deg for i in placed))
     for i, (off_m, off_deg) in zip(placed, errors):
         sigma_m = max(mapped[i].sigma_m, LEAST_SIGMA_M)
         is_beyond = off_m > NUM_SIGMAS * sigma_m

@@ -12,6 +12,7 @@
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
 #include "setsquare/mapping/audit/seen_through.hpp"
+#include "setsquare/mapping/heading_spread.hpp"
 #include "setsquare/mapping/open_spread.hpp"
 #include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
@@ -244,12 +245,8 @@ Map MapMaker::map_of(const Closed& closed) const {
     solve_robustly(graph, {}, params_.robust);
     graph.T_map_node = registered_poses(closed.closer, graph);
   }
-  // Errors of neighbours are correlated: num_alike measurements have the information of one.
-  // Registration takes each as independent, which serves the poses; covariances come from this
-  // graph.
-  for (HeadingMeasurement& heading : graph.headings) {
-    heading.information_per_rad2 /= params_.heading.num_alike;
-  }
+  // The poses took each measurement as independent; covariances come from this graph.
+  spread_headings(log_.track, log_.shares_of_place, params_.heading_spread, graph);
   MapParts parts = parts_of_log();
   parts.headings = closed.headings;
   parts.compared = closed.closer.compared();

@@ -34,6 +34,7 @@ void MapperParams::validate() const {
   forgetting.validate();
   joining.validate();
   registration.validate();
+  heading_spread.validate();
   anywhere.validate();
   audit.validate();
   if (!(confident_margin > 1.0)) throw ParameterError("confident_margin", "must be above 1");

@@ -128,6 +128,22 @@ struct RegistrationParams {
   void validate() const;
 };
 
+/// How certain the headings of a finished map are (spread_headings).
+struct HeadingSpreadParams {
+  /// Keyframes so far apart (sigma) see the same walls: in simulated buildings errors of measured
+  /// headings are alike over two or three metres of way, and half as much over five.
+  double same_walls_m = 2.0;
+  /// Tracked rotations err by so many times what registration changes about them, for both are of
+  /// the same scans: by 2 to 4 times in simulation, where the truth is known.
+  double sigma_per_change = 3.0;
+  double max_changes = 3.0;  ///< In stated sigmas, where tracking slipped: counted at most.
+  double num_assumed =
+      20.0;  ///< Motions that are taken to err as stated, in addition to the log's.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of KnownKeyframes and of forgetting them.
 struct ForgettingParams {
   bool is_on = true;           ///< Else memory grows with the way driven, also where all is known.
@@ -240,19 +256,20 @@ struct ClosuresAnywhereParams {
 
 /// Parameters of the mapper; every default works.
 struct MapperParams {
-  ScanTrackerParams tracker;        ///< Places scan after scan.
-  MountingTrialParams mounting;     ///< Judges where further scanners are mounted.
-  SquareDirectionParams direction;  ///< Measures a scan's heading by its walls.
-  MotionUncertaintyParams motion;   ///< How certain tracking is.
-  HeadingFusionParams heading;      ///< Fuses the headings with the tracked rotations.
-  TurnCheckParams turns;            ///< Asks matches about turns in doubt.
-  LoopCloserParams closing;         ///< Closes loops.
-  ForgettingParams forgetting;      ///< Forgets keyframes that show nothing new.
-  PieceJoiningParams joining;       ///< Joins pieces of track.
-  RobustPoseGraphParams robust;     ///< Decides which closures to believe.
-  RegistrationParams registration;  ///< Moves all keyframes at the end.
-  ClosuresAnywhereParams anywhere;  ///< Closes loops behind corridors.
-  AuditParams audit;                ///< Says where the map may be wrong.
+  ScanTrackerParams tracker;           ///< Places scan after scan.
+  MountingTrialParams mounting;        ///< Judges where further scanners are mounted.
+  SquareDirectionParams direction;     ///< Measures a scan's heading by its walls.
+  MotionUncertaintyParams motion;      ///< How certain tracking is.
+  HeadingFusionParams heading;         ///< Fuses the headings with the tracked rotations.
+  TurnCheckParams turns;               ///< Asks matches about turns in doubt.
+  LoopCloserParams closing;            ///< Closes loops.
+  ForgettingParams forgetting;         ///< Forgets keyframes that show nothing new.
+  PieceJoiningParams joining;          ///< Joins pieces of track.
+  RobustPoseGraphParams robust;        ///< Decides which closures to believe.
+  RegistrationParams registration;     ///< Moves all keyframes at the end.
+  HeadingSpreadParams heading_spread;  ///< How certain the headings are then.
+  ClosuresAnywhereParams anywhere;     ///< Closes loops behind corridors.
+  AuditParams audit;                   ///< Says where the map may be wrong.
   /// A direction's confidence grows with its margin over the next one: none at 1, full here.
   double confident_margin = 3.0;
   /// Loops are looked for each time the track has grown by this share, and by this many keyframes.

@@ -93,6 +93,16 @@ class Judge(unittest.TestCase):
         self.assertEqual((honest.num_wrong, honest.num_turned), (0, 0))
         self.assertTrue(judge(TRUTH, bent_map(sigma_deg=10.0)).is_wrong_and_silent)  # Far off, too.
 
+    def test_headings_are_judged_by_their_own_spreads(self):
+        turned = [dataclasses.replace(pose, pose=(*pose.pose[:2], pose.pose[2] + math.radians(off)),
+                                      sigma_deg=0.5)
+                  for pose, off in zip(right_map(), [1.0, -1.0] * 200)]
+        told = judge(TRUTH, turned).as_json()
+        self.assertAlmostEqual(told["heading_squares"] / told["placed"], 4.0, delta=0.1)
+        self.assertAlmostEqual(told["heading_median_deg"], 1.0, delta=0.02)
+        self.assertEqual(told["heading_sigma_deg"], 0.5)
+        self.assertEqual(told["turned"], 0)
+
     def test_a_squashed_corridor_is_silent_unless_its_spread_is_honest(self):
         self.assertTrue(judge(TRUTH, squashed_map(0.7)).is_wrong_and_silent)
         honest = judge(TRUTH, squashed_map(9.0))
