@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 
 # Debian packages, made by `cpack` in the build folder: setsquare (the command, its manual pages and
-# completions), libsetsquare-dev (the library) and, where the Python module is built,
-# python3-setsquare. tools/make_packages builds them.
+# completions), libsetsquare-dev (the library) and, where they are built, setsquare-live (`setsquare
+# live`) and python3-setsquare. tools/make_packages builds them.
 include(GNUInstallDirs)
 
 # What the command tells of itself, when it has been built.
@@ -39,7 +39,8 @@ configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/copyright" "${package_copyrig
 configure_file("${PROJECT_SOURCE_DIR}/cmake/debian/changelog"
                "${PROJECT_BINARY_DIR}/packages/changelog" @ONLY)
 execute_process(COMMAND gzip -9 -n -k -f "${PROJECT_BINARY_DIR}/packages/changelog")
-foreach(pair IN ITEMS command=setsquare library=libsetsquare-dev python=python3-setsquare)
+foreach(pair IN ITEMS command=setsquare library=libsetsquare-dev live=setsquare-live
+                      python=python3-setsquare)
   string(REPLACE "=" ";" pair "${pair}")
   list(GET pair 0 component)
   list(GET pair 1 package)
@@ -67,6 +68,8 @@ set(description "Turns the scans of a 2-D laser scanner into a map whose walls a
 square, without odometry, without an initial guess and without tuning, and
 says where the scans do not determine the answer.")
 set(CPACK_COMPONENT_COMMAND_DESCRIPTION "${description}\n\nThis package has the command.")
+set(CPACK_COMPONENT_LIVE_DESCRIPTION
+    "${description}\n\nThis package maps and localises while the robot drives, beside ROS 2.")
 set(CPACK_COMPONENT_LIBRARY_DESCRIPTION "${description}\n\nThis package has the C++ library.")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "${description}\n\nThis package is for Python.")
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION science)
@@ -75,6 +78,14 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS
     "libeigen3-dev (>= 3.4), libfmt-dev, libbz2-dev, liblz4-dev, libpng-dev, libsqlite3-dev, \
 libyaml-cpp-dev, libzstd-dev, zlib1g-dev")
+# Apart from the command, which most want without the libraries of a network.
+if(TARGET setsquare_live_app)
+  list(APPEND CPACK_COMPONENTS_ALL live)
+  set(CPACK_DEBIAN_LIVE_PACKAGE_SECTION science)
+  set(CPACK_DEBIAN_LIVE_PACKAGE_SHLIBDEPS ON)
+  set(CPACK_DEBIAN_LIVE_PACKAGE_DEPENDS "setsquare (= ${PROJECT_VERSION})")
+  set(CPACK_DEBIAN_COMMAND_PACKAGE_SUGGESTS setsquare-live)
+endif()
 if(TARGET setsquare_python)
   find_package(Python3 REQUIRED COMPONENTS Interpreter)
   list(APPEND CPACK_COMPONENTS_ALL python)
