@@ -85,7 +85,8 @@ void add_track(const MapParts& parts, Map& map) {
   }
 }
 
-/// Whether the robot went farther, or turned more, from one scan to another than in a step.
+/// Whether the robot went farther, or turned more, from one scan to another than it would in a
+/// step.
 bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step) {
   constexpr double kMoved_m = 0.1;
   constexpr double kMoved_rad = rad_from_deg(2.0);
@@ -94,6 +95,20 @@ bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step
   const auto way_m = [](const Pose2& motion) { return std::hypot(motion.x_m, motion.y_m); };
   return way_m(moved) > std::max(kMoved_m, kSteps * way_m(step)) ||
          std::abs(moved.theta_rad) > std::max(kMoved_rad, kSteps * std::abs(step.theta_rad));
+}
+
+/// How far the robot would go from the last repeat of a scan to the next scan, `end`, as fast as it
+/// was before the scan that is repeated from `first` on.
+Pose2 step_behind(std::span<const TrackedScan> scans, std::size_t first, std::size_t end) {
+  const TrackedScan& repeated = scans[first - 1];
+  std::size_t before = first - 1;
+  while (before > 0 && scans[--before].tracked.is_same_again) {
+  }
+  const Pose2 step = scans[before].tracked.T_odom_sensor.inverse() * repeated.tracked.T_odom_sensor;
+  const double step_s = seconds_between(scans[before].stamp, repeated.stamp);
+  const double behind_s = seconds_between(scans[end - 1].stamp, scans[end].stamp);
+  const double share = step_s > 0.0 && behind_s > 0.0 ? std::min(1.0, behind_s / step_s) : 1.0;
+  return {share * step.x_m, share * step.y_m, share * step.theta_rad};
 }
 
 /// Repeated scans that tell nothing of where the robot was: behind them it is elsewhere, or nothing
@@ -108,11 +123,8 @@ std::vector<bool> unseen_repeats(std::span<const TrackedScan> scans) {
     bool is_unknown = seconds_between(scans[first].stamp, scans[end - 1].stamp) > kLongest_s;
     if (end < scans.size()) {
       const TrackedPose& behind = scans[end].tracked;
-      const Pose2 step =
-          scans[first - std::min<std::size_t>(first, 2)].tracked.T_odom_sensor.inverse() *
-          scans[first - 1].tracked.T_odom_sensor;
       is_unknown = behind.status == TrackStatus::kLost || behind.is_restart ||
-                   has_moved(scans[first].tracked, behind, step);
+                   has_moved(scans[first].tracked, behind, step_behind(scans, first, end));
     }
     std::fill_n(is_unseen.begin() + static_cast<std::ptrdiff_t>(first), end - first, is_unknown);
     first = end;

@@ -116,6 +116,18 @@ TEST(MapperFaultyLogs, WhereTheScannerHungIsNotKnownWithoutOdometry) {
   expect_errors_within_three_spreads(found_again, for_a_while);
 }
 
+/// The robot drives 0.25 m from one new scan to the next.
+TEST(MapperFaultyLogs, ADriverThatSendsEachScanFiveTimesTellsNothingBetween) {
+  Log log = log_of_hung_scanner(0, 0);
+  for (std::size_t i = 0; i < log.scans.size(); ++i) {
+    log.scans[i].ranges_m = log.scans[i - i % 5].ranges_m;
+  }
+  const Map map = map_of(log, false);
+  const auto num_lost = std::ranges::count(map.scans, TrackStatus::kLost, &MappedScan::status);
+  EXPECT_GT(num_lost, log.scans.size() / 2);
+  expect_errors_within_three_spreads(map, log);
+}
+
 TEST(MapperFaultyLogs, WhereTheScannerHungIsWhereTheWheelsHaveIt) {
   const std::size_t num_scans = Log().scans.size();
   Log log = log_of_hung_scanner(num_scans / 2, num_scans);
