@@ -8,14 +8,10 @@
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/loops/candidates.hpp"
+#include "setsquare/mapping/spread_graph.hpp"
 
 namespace setsquare {
 namespace {
-
-/// Whether a constraint is a tracked motion, from one keyframe to the next.
-bool is_motion(const Constraint& constraint) {
-  return constraint.kind == ConstraintKind::kOdometry && constraint.to == constraint.from + 1;
-}
 
 /// Whether nothing was lost, found again or open on the way to a keyframe.
 bool is_undisturbed(const KeyframeTrack& track, std::size_t keyframe) {
@@ -63,7 +59,7 @@ double rotation_variance_scale(const KeyframeTrack& track,
   double num = params.num_assumed;
   double sum = params.num_assumed;
   for (const Constraint& motion : graph.constraints) {
-    if (!is_motion(motion) || !is_undisturbed(track, motion.to)) continue;
+    if (!is_tracked_step(motion) || !is_undisturbed(track, motion.to)) continue;
     const double changed_rad =
         wrap_to_pi(graph.T_map_node[motion.to].theta_rad - graph.T_map_node[motion.from].theta_rad -
                    motion.T_from_to.theta_rad);
@@ -81,7 +77,7 @@ void spread_headings(const KeyframeTrack& track,
                      PoseGraph& graph) {
   const double scale = rotation_variance_scale(track, graph, params);
   for (Constraint& constraint : graph.constraints) {
-    if (!is_motion(constraint)) continue;
+    if (!is_tracked_step(constraint)) continue;
     const bool is_stated = scale < 1.0 && !is_undisturbed(track, constraint.to);
     if (!is_stated && scale > 0.0) constraint.information(2, 2) /= scale;
   }

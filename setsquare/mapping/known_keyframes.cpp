@@ -7,6 +7,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/damped_step.hpp"
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/mapping/loops/candidates.hpp"
 #include "setsquare/tracking/open_direction.hpp"
@@ -100,9 +101,7 @@ std::optional<KnownPlace> place_among(const PlacedTrack& placed,
     T = onto_walls(found, T, params);
     found = align_with_submap(submap, samples, T, params.scale, marks);
   }
-  const Pose2 off = T_by_graph.inverse() * T;
-  if (std::hypot(off.x_m, off.y_m) > params.max_off_m ||
-      std::abs(off.theta_rad) > params.max_off_rad ||
+  if (is_beyond(T_by_graph.inverse() * T, params.max_off_m, params.max_off_rad) ||
       found.num_explained < params.min_explained * static_cast<double>(points.size()) ||
       found.num_contradicted > params.max_contradicted * found.num_compared) {
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/matching/base_frame.hpp"
 
 namespace setsquare {
@@ -92,9 +93,9 @@ bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step
   constexpr double kMoved_rad = rad_from_deg(2.0);
   constexpr double kSteps = 1.5;
   const Pose2 moved = from.T_odom_sensor.inverse() * to.T_odom_sensor;
-  const auto way_m = [](const Pose2& motion) { return std::hypot(motion.x_m, motion.y_m); };
-  return way_m(moved) > std::max(kMoved_m, kSteps * way_m(step)) ||
-         std::abs(moved.theta_rad) > std::max(kMoved_rad, kSteps * std::abs(step.theta_rad));
+  return is_beyond(moved,
+                   std::max(kMoved_m, kSteps * std::hypot(step.x_m, step.y_m)),
+                   std::max(kMoved_rad, kSteps * std::abs(step.theta_rad)));
 }
 
 /// How far the robot would go from the last repeat of a scan to the next scan, `end`, as fast as it
@@ -102,8 +103,8 @@ bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step
 Pose2 step_behind(std::span<const TrackedScan> scans, std::size_t first, std::size_t end) {
   const TrackedScan& repeated = scans[first - 1];
   std::size_t before = first - 1;
-  while (before > 0 && scans[--before].tracked.is_same_again) {
-  }
+  if (before > 0) --before;
+  while (before > 0 && scans[before].tracked.is_same_again) --before;
   const Pose2 step = scans[before].tracked.T_odom_sensor.inverse() * repeated.tracked.T_odom_sensor;
   const double step_s = seconds_between(scans[before].stamp, repeated.stamp);
   const double behind_s = seconds_between(scans[end - 1].stamp, scans[end].stamp);

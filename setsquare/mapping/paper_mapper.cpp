@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/paper_mapper.hpp"
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/is_beyond.hpp"
 
 namespace setsquare {
 
@@ -71,8 +71,7 @@ void PaperMapper::follow(const MatchResult& match,
     num_rejected_ = 0;
     const Pose2& moved = *match.T_reference_current;
     T_map_sensor_ = T_map_keyframe_ * moved;
-    tracked.is_keyframe = std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
-                          std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+    tracked.is_keyframe = is_beyond(moved, params_.keyframe_distance_m, params_.keyframe_turn_rad);
     return;
   }
   tracked.status = TrackStatus::kLost;

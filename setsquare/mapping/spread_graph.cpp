@@ -76,7 +76,7 @@ std::vector<std::size_t> sure_parts(const Map& map, const OpenTurns& turns) {
   constexpr double kSure_rad2 = kSureTurn_rad * kSureTurn_rad;
   std::vector<std::size_t> parts(map.keyframes.size(), 0);
   for (const Constraint& step : map.graph.constraints) {
-    if (step.kind != ConstraintKind::kOdometry || step.to != step.from + 1) continue;
+    if (!is_tracked_step(step)) continue;
     const double information = step.information(2, 2);
     if (!(information * kSure_rad2 > 1.0)) parts[step.to] = 1;
   }
@@ -89,6 +89,10 @@ std::vector<std::size_t> sure_parts(const Map& map, const OpenTurns& turns) {
 
 }  // namespace
 
+bool is_tracked_step(const Constraint& constraint) {
+  return constraint.kind == ConstraintKind::kOdometry && constraint.to == constraint.from + 1;
+}
+
 PoseGraph spread_graph(const Map& map) {
   PoseGraph graph = map.graph;
   if (map.keyframes.size() != graph.T_map_node.size()) return graph;
@@ -100,8 +104,7 @@ PoseGraph spread_graph(const Map& map) {
                 [&](const HeadingMeasurement& heading) { return is_open(map, heading.node); });
   const OpenTurns turns = open_turns(map);
   for (Constraint& step : graph.constraints) {
-    const bool is_step = step.kind == ConstraintKind::kOdometry && step.to == step.from + 1;
-    if (!is_step || !(turns.variance_rad2[step.to] > 0.0)) continue;
+    if (!is_tracked_step(step) || !(turns.variance_rad2[step.to] > 0.0)) continue;
     open_step(map, turns.variance_rad2[step.to], step);
   }
   const std::vector<std::size_t> parts = sure_parts(map, turns);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
-// Apart from track_certainty, its only caller, because tests compare the graphs.
+// How certain the poses of a map's graph are.
 #pragma once
 
 #include "setsquare/graph/pose_graph.hpp"
@@ -19,5 +19,8 @@ namespace setsquare {
 ///    better than 15 degrees the quarter is a guess: heading measurements count on one side of it
 ///    only, where they have the most information. A closure over it brings them together again.
 [[nodiscard]] PoseGraph spread_graph(const Map& map);
+
+/// Whether a constraint is a tracked motion, from one keyframe to the next.
+[[nodiscard]] bool is_tracked_step(const Constraint& constraint);
 
 }  // namespace setsquare

@@ -3,8 +3,8 @@
 #include "setsquare/tracking/recovery.hpp"
 
 #include <algorithm>
-#include <cmath>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/known_place.hpp"
@@ -13,8 +13,7 @@ namespace setsquare {
 namespace {
 
 bool is_far_from(const Pose2& expected, const Pose2& found, const RecoveryParams& params) {
-  const Pose2 off = expected.inverse() * found;
-  return std::hypot(off.x_m, off.y_m) > params.near_m || std::abs(off.theta_rad) > params.near_rad;
+  return is_beyond(expected.inverse() * found, params.near_m, params.near_rad);
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/tracking/repeated_scan.hpp"
 
-#include <cmath>
+#include "setsquare/core/is_beyond.hpp"
 
 namespace setsquare {
 
@@ -12,8 +12,7 @@ bool RepeatedScan::add(const Scan& scan, const std::optional<Pose2>& T_wheels_ba
   bool is_moved = false;
   if (T_wheels_base_ && T_wheels_base) {
     const Pose2 moved = T_wheels_base_->inverse() * *T_wheels_base;
-    is_moved = std::hypot(moved.x_m, moved.y_m) > kLeastStep_m ||
-               std::abs(moved.theta_rad) > kLeastTurn_rad;
+    is_moved = is_beyond(moved, kLeastStep_m, kLeastTurn_rad);
   }
   T_wheels_base_ = T_wheels_base;
   is_same_ = scan.ranges_m == ranges_m_;

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/arrived_scan.hpp"
 #include "setsquare/tracking/recovery.hpp"
@@ -468,8 +469,7 @@ bool ScanTracker::is_to_be_kept(const Scan& scan, const TrackedPose& tracked) co
   });
   if (last == submap_.rend()) return true;
   const Pose2 moved = (*last)->T_odom_body.inverse() * tracked.T_odom_body;
-  return std::hypot(moved.x_m, moved.y_m) > params_.keyframe_distance_m ||
-         std::abs(moved.theta_rad) > params_.keyframe_turn_rad;
+  return is_beyond(moved, params_.keyframe_distance_m, params_.keyframe_turn_rad);
 }
 
 std::size_t ScanTracker::num_scanners() const {

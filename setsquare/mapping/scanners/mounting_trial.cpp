@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/core/median.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 
@@ -78,8 +79,7 @@ bool MountingTrial::wants(const Pose2& T_odom_body) const {
   if (result_.verdict != MountingVerdict::kOpen) return false;
   if (!T_odom_last_) return true;
   const Pose2 moved = T_odom_last_->inverse() * T_odom_body;
-  return std::hypot(moved.x_m, moved.y_m) > params_.spacing_m ||
-         std::abs(moved.theta_rad) > params_.spacing_rad;
+  return is_beyond(moved, params_.spacing_m, params_.spacing_rad);
 }
 
 void MountingTrial::add(const Pose2& T_odom_body,
