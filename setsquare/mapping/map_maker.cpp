@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/median.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
@@ -52,6 +53,49 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
     if (is_begin) evidence[k].step_sigma_rad = kJointSigma_rad;
   }
   return evidence;
+}
+
+/// A turn that the walls left undecided, and how far the robot turned there beyond what was tracked.
+struct ToldTurn {
+  DoubtedTurn turn;
+  double beyond_rad = 0.0;
+};
+
+/// The doubted turns that explain how the hypotheses contradict the headings: those across which
+/// they have the robot turned by as much more, or less, as the walls turned there. Only so many are
+/// tried, those first that explain most of the hypotheses.
+std::vector<ToldTurn> told_turns(const FusedHeadings& headings,
+                                 const std::vector<MapHypothesis>& hypotheses,
+                                 const TurnCheckParams& params) {
+  constexpr std::size_t kMostTried = 3;
+  struct Explained {
+    ToldTurn told;
+    std::size_t num = 0;
+  };
+  std::vector<Explained> explained;
+  for (const DoubtedTurn& turn : headings.doubted) {
+    std::vector<double> off_rad;
+    for (const MapHypothesis& hypothesis : hypotheses) {
+      const auto [first, last] = std::minmax(hypothesis.keyframe_from, hypothesis.keyframe_to);
+      if (first > turn.from || last < turn.to) continue;
+      const double sign = first == hypothesis.keyframe_from ? 1.0 : -1.0;
+      const double off = sign * wrap_to_pi(hypothesis.T_from_to.theta_rad -
+                                           headings.heading_rad[hypothesis.keyframe_to] +
+                                           headings.heading_rad[hypothesis.keyframe_from]);
+      const double unlike = std::abs(std::abs(off) - std::abs(turn.turned_rad));
+      if (unlike < params.agreeing_rad) off_rad.push_back(off);
+    }
+    if (off_rad.empty()) continue;
+    const double drifted_rad = headings.drift_rad[turn.to] - headings.drift_rad[turn.from];
+    const std::size_t num = off_rad.size();
+    explained.push_back({{turn, wrap_to_pi(drifted_rad + median(std::move(off_rad)))}, num});
+  }
+  std::ranges::stable_sort(explained, std::ranges::greater{}, &Explained::num);
+  std::vector<ToldTurn> told;
+  for (const Explained& turn : explained) {
+    if (told.size() < kMostTried) told.push_back(turn.told);
+  }
+  return told;
 }
 
 /// The motion that brings the graph's poses, all in all, nearest to where the anchors have them.
@@ -213,10 +257,11 @@ Map MapMaker::closed_map() const {
 }
 
 MapMaker::Closed MapMaker::close_one_piece() const {
-  TurnChecks checks = log_.turn_checks;
-  Closed closed{.headings = checks.fuse(log_.track, log_.evidence, params_.heading),
+  Closed closed{.turn_checks = log_.turn_checks,
+                .headings = {},
                 .closer = log_.closer,
                 .joined = {.turn_rad = {0.0}, .is_joined = {true}, .joints = {}, .searches = {}}};
+  closed.headings = closed.turn_checks.fuse(log_.track, log_.evidence, params_.heading);
   close_loops(log_.track, closed.headings.heading_rad, log_.track.size(), params_, closed.closer);
   return closed;
 }
@@ -227,11 +272,11 @@ MapMaker::Closed MapMaker::close_across_pieces() const {
   const PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
   JoinedPieces joined = join_pieces(
       log_.track, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
-  Closed closed{
-      .headings = checks.fuse(
-          log_.track, evidence_of_joined(log_.evidence, log_.track, joined), params_.heading),
-      .closer = LoopCloser(params_.closing),
-      .joined = std::move(joined)};
+  Closed closed{.turn_checks = std::move(checks),
+                .headings = {},
+                .closer = LoopCloser(params_.closing),
+                .joined = std::move(joined)};
+  closed.headings = closed.turn_checks.fuse(log_.track, evidence_in(closed), params_.heading);
   closed.closer.add_joints(closed.joined.joints);
   close_all_loops(closed);
   return closed;
@@ -310,21 +355,29 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
   for (int round = 0; round < params_.audit.max_mendings; ++round) {
     const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
     if (hypotheses.empty()) break;
-    Closed mended = closed_with(closed, hypotheses);
-    Map mended_map = map_of(mended);
-    AuditFindings of_mended = audited(mended_map);
-    if (!explains_more(of_mended.report, findings.report)) break;
-    closed = std::move(mended);
-    map = std::move(mended_map);
-    findings = std::move(of_mended);
+    std::vector<Closed> stories = closed_with_turns(closed, hypotheses);
+    stories.push_back(closed_with(closed, hypotheses));
+    bool is_mended = false;
+    for (Closed& story : stories) {
+      Map told = map_of(story);
+      AuditFindings of_told = audited(told);
+      if (!explains_more(of_told.report, findings.report)) continue;
+      closed = std::move(story);
+      map = std::move(told);
+      findings = std::move(of_told);
+      is_mended = true;
+    }
+    if (!is_mended) break;
   }
   add_findings(findings, params_.audit, map);
 }
 
 MapMaker::Closed MapMaker::closed_with(const Closed& closed,
                                        const std::vector<MapHypothesis>& hypotheses) const {
-  Closed mended{
-      .headings = closed.headings, .closer = LoopCloser(params_.closing), .joined = closed.joined};
+  Closed mended{.turn_checks = closed.turn_checks,
+                .headings = closed.headings,
+                .closer = LoopCloser(params_.closing),
+                .joined = closed.joined};
   for (const MapHypothesis& hypothesis : hypotheses) {
     mended.joined.joints.push_back(matched_places(hypothesis.keyframe_from,
                                                   hypothesis.keyframe_to,
@@ -334,6 +387,22 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
   mended.closer.add_joints(mended.joined.joints);
   close_all_loops(mended);
   return mended;
+}
+
+std::vector<HeadingEvidence> MapMaker::evidence_in(const Closed& closed) const {
+  return evidence_of_joined(log_.evidence, log_.track, closed.joined);
+}
+
+std::vector<MapMaker::Closed> MapMaker::closed_with_turns(
+    const Closed& closed, const std::vector<MapHypothesis>& hypotheses) const {
+  std::vector<Closed> turned;
+  for (const ToldTurn& told : told_turns(closed.headings, hypotheses, params_.turns)) {
+    Closed decided = closed;
+    decided.turn_checks.decide(told.turn, told.beyond_rad);
+    decided.headings = decided.turn_checks.fuse(log_.track, evidence_in(closed), params_.heading);
+    turned.push_back(closed_with(decided, hypotheses));
+  }
+  return turned;
 }
 
 void MapMaker::close_all_loops(Closed& closed) const {

@@ -87,6 +87,7 @@ class MapMaker {
  private:
   /// The headings and loops of the whole track.
   struct Closed {
+    TurnChecks turn_checks;
     FusedHeadings headings;
     LoopCloser closer;
     JoinedPieces joined;
@@ -103,9 +104,15 @@ class MapMaker {
   [[nodiscard]] Closed close_across_pieces() const;
   /// From the first keyframe on, as the track grows.
   void close_all_loops(Closed& closed) const;
-  /// All loops closed again, with those that the hypotheses tell.
+  /// All loops closed again along its headings, with those that the hypotheses tell.
   [[nodiscard]] Closed closed_with(const Closed& closed,
                                    const std::vector<MapHypothesis>& hypotheses) const;
+  /// The evidence for the headings, where the pieces were joined.
+  [[nodiscard]] std::vector<HeadingEvidence> evidence_in(const Closed& closed) const;
+  /// The same with a turn that the walls left undecided as the hypotheses tell it: tracking slipped
+  /// there, or it did not. One for each such turn that would explain what they say of the headings.
+  [[nodiscard]] std::vector<Closed> closed_with_turns(
+      const Closed& closed, const std::vector<MapHypothesis>& hypotheses) const;
   /// The map by the loops that were closed.
   [[nodiscard]] Map map_of(const Closed& closed) const;
   /// How the session whose keyframes these are was looked for.
@@ -115,8 +122,9 @@ class MapMaker {
                                                     const PoseGraph& graph) const;
   /// Closes loops behind open stretches, wherever they are (closures_anywhere).
   void close_anywhere(Closed& closed, Map& map) const;
-  /// Matches scans of the map, and where they contradict it alike closes the loops again by them;
-  /// the new map stays if it explains more of all matches. Then the doubts that are left.
+  /// Matches scans of the map, and where they contradict it alike closes the loops again by them,
+  /// and decides turns by them; the new map stays if it explains more of all matches. Then the
+  /// doubts that are left.
   void audit_and_mend(Closed& closed, Map& map) const;
 
   /// Keyframes that the map contradicts.

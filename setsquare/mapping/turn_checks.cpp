@@ -146,6 +146,14 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
   return fused;
 }
 
+void TurnChecks::decide(const DoubtedTurn& turn, double beyond_rad) {
+  steps_.resize(std::max(steps_.size(), turn.to + 1));
+  for (std::size_t k = turn.from + 1; k <= turn.to; ++k) {
+    steps_[k] = {.is_checked = true, .is_confirmed = true};
+  }
+  steps_[turn.to].slip_rad = beyond_rad;
+}
+
 void TurnChecks::keep_only(std::span<const std::size_t> kept) {
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const bool is_joined = kept[i] != kept[i - 1] + 1;

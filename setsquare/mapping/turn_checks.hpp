@@ -24,6 +24,10 @@ class TurnChecks {
                                    const std::vector<HeadingEvidence>& evidence,
                                    const HeadingFusionParams& params);
 
+  /// What is known of a turn from elsewhere: from keyframe turn.from to turn.to the robot turned by
+  /// `beyond_rad` more than was tracked. Nobody asks again.
+  void decide(const DoubtedTurn& turn, double beyond_rad);
+
   /// Of the keyframes only those of these indices, which ascend, are left. A step over some that
   /// are forgotten is confirmed: how far it turned was taken from headings that were fused.
   void keep_only(std::span<const std::size_t> kept);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/tracking/known_place.hpp"
 
@@ -14,11 +15,6 @@ namespace {
 constexpr double kAloneWeight = 1.0;
 constexpr double kAmbiguousWeight = 0.5;
 
-bool is_within(const ExpectedStep& step, const Pose2& place) {
-  const Pose2 off = step.T_odom_sensor.inverse() * place;
-  return std::hypot(off.x_m, off.y_m) <= step.reach_m && std::abs(off.theta_rad) <= step.reach_rad;
-}
-
 /// Whether two matches that stand alone are one place: others would not change that.
 bool has_two_alike(std::span<const PlaceVote> votes, const PlaceVoteParams& params) {
   const auto is_alone = [](const PlaceVote& vote) { return vote.status == MatchStatus::kMatched; };
@@ -27,6 +23,11 @@ bool has_two_alike(std::span<const PlaceVote> votes, const PlaceVoteParams& para
 }
 
 }  // namespace
+
+bool is_within(const ExpectedStep& step, const Pose2& T_odom_sensor) {
+  const Pose2 off = step.T_odom_sensor.inverse() * T_odom_sensor;
+  return !is_beyond(off, step.reach.distance_m, step.reach.turn_rad);
+}
 
 double vote_weight(MatchStatus status) {
   if (status == MatchStatus::kMatched) return kAloneWeight;

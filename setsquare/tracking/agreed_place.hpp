@@ -12,6 +12,7 @@
 #include "setsquare/surfaces/prepared_scan.hpp"
 #include "setsquare/tracking/prepared_keyframes.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
+#include "setsquare/tracking/step_reach.hpp"
 
 namespace setsquare {
 
@@ -38,10 +39,13 @@ struct AgreedPlace {
 
 /// Where the robot may be by its motion alone.
 struct ExpectedStep {
-  Pose2 T_odom_sensor;     ///< About it, ...
-  double reach_m = 0.0;    ///< ... as far as this ...
-  double reach_rad = 0.0;  ///< ... and turned by this at most.
+  Pose2 T_odom_sensor;    ///< About it, ...
+  StepReach reach;        ///< ... as far as this at most.
+  bool is_proved = false;  ///< By odometry that has proved true.
 };
+
+/// Whether the robot may be there.
+[[nodiscard]] bool is_within(const ExpectedStep& step, const Pose2& T_odom_sensor);
 
 /// The place with the most votes. It needs more than any other place, for one wrong match bends all
 /// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within

@@ -7,14 +7,9 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
+#include "setsquare/tracking/step_reach.hpp"
 
 namespace setsquare {
-
-/// The length of a step from scan to scan.
-struct StepReach {
-  double distance_m = 0.0;
-  double turn_rad = 0.0;
-};
 
 /// Whether a robot moves so far from scan to scan that the submap's refinement may settle at a
 /// wrong place: a log of key frames, a low rate, fast turns. Counted in scans, not in seconds, for

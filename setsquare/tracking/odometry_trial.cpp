@@ -6,6 +6,7 @@
 #include <cmath>
 #include <vector>
 
+#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/core/jump.hpp"
 #include "setsquare/core/median.hpp"
 #include "setsquare/core/parameter_checks.hpp"
@@ -23,6 +24,9 @@ Eigen::Vector2d chord(const Pose2& motion) {
   return rotation_matrix(-0.5 * motion.theta_rad) * motion.translation();
 }
 
+/// Less than 1 cm, and than half a degree.
+bool is_no_motion(const Pose2& motion) { return !is_beyond(motion, 0.01, rad_from_deg(0.5)); }
+
 }  // namespace
 
 void OdometryTrialParams::validate() const {
@@ -38,6 +42,10 @@ void OdometryTrialParams::validate() const {
   require_positive(max_deviation, "odometry.max_deviation");
   if (!(usual_scale > 1.0)) throw ParameterError("odometry.usual_scale", "must be above 1");
   if (!(largest_scale > 1.0)) throw ParameterError("odometry.largest_scale", "must be above 1");
+  require_not_negative(proved_deviation, "odometry.proved_deviation");
+  require_positive(proved_sigmas, "odometry.proved_sigmas");
+  require_positive(least_reach_m, "odometry.least_reach_m");
+  require_positive(least_reach_rad, "odometry.least_reach_rad");
   require_not_negative(wheels_at_rest_m, "odometry.wheels_at_rest_m");
   require_not_negative(wheels_at_rest_rad, "odometry.wheels_at_rest_rad");
 }
@@ -72,6 +80,10 @@ void MotionOnTrial::judge() {
   const bool is_scale =
       std::abs(scale) * params_.largest_scale > 1.0 && std::abs(scale) < params_.largest_scale;
   finding_ = is_scale && deviation < params_.max_deviation ? Finding::kFits : Finding::kUnlike;
+}
+
+bool MotionOnTrial::is_true() const {
+  return finding_ == Finding::kFits && comparison_.deviation < params_.proved_deviation;
 }
 
 double MotionOnTrial::correction() const {
@@ -113,11 +125,30 @@ void OdometryTrial::add(const std::optional<Pose2>& T_wheels_base, const PlacedB
   grow();
 }
 
+std::optional<Pose2> OdometryTrial::moved_since_placed(
+    const std::optional<Pose2>& T_wheels_base) const {
+  if (!T_wheels_base || !T_wheels_placed_) return std::nullopt;
+  return T_wheels_placed_->inverse() * *T_wheels_base;
+}
+
 bool OdometryTrial::is_at_rest(const std::optional<Pose2>& T_wheels_base) const {
-  if (!T_wheels_base || !T_wheels_placed_) return false;
-  const Pose2 moved = T_wheels_placed_->inverse() * *T_wheels_base;
-  return way_m(moved) < params_.wheels_at_rest_m &&
-         std::abs(moved.theta_rad) < params_.wheels_at_rest_rad;
+  const auto moved = moved_since_placed(T_wheels_base);
+  return moved && !is_beyond(*moved, params_.wheels_at_rest_m, params_.wheels_at_rest_rad);
+}
+
+bool OdometryTrial::has_not_moved(const std::optional<Pose2>& T_wheels_base) const {
+  const auto moved = moved_since_placed(T_wheels_base);
+  return moved && is_no_motion(*moved);
+}
+
+std::optional<StepReach> OdometryTrial::proved_reach(const Pose2& step) const {
+  const bool has_proved =
+      params_.is_on && !is_refuted() && ways_.is_true() && turns_.is_true();
+  if (!has_proved || is_no_motion(step)) return std::nullopt;
+  const double way_sigmas = params_.proved_sigmas * report_.way.deviation;
+  const double turn_sigmas = params_.proved_sigmas * report_.turn.deviation;
+  return StepReach{std::max(params_.least_reach_m, way_sigmas * way_m(step)),
+                   std::max(params_.least_reach_rad, turn_sigmas * std::abs(step.theta_rad))};
 }
 
 OdometryTrial OdometryTrial::judged() const {

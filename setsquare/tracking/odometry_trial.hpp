@@ -12,6 +12,7 @@
 #include "setsquare/core/timestamp.hpp"
 #include "setsquare/map/odometry_report.hpp"
 #include "setsquare/tracking/scan_tracker_params.hpp"
+#include "setsquare/tracking/step_reach.hpp"
 
 namespace setsquare {
 
@@ -37,6 +38,8 @@ class MotionOnTrial {
 
   [[nodiscard]] Finding finding() const { return finding_; }
   [[nodiscard]] const OdometryComparison& comparison() const { return comparison_; }
+  /// Whether the latest stretches fit, and closely.
+  [[nodiscard]] bool is_true() const;
   /// By which the odometry's motion is to be multiplied; 1 where it is near it.
   [[nodiscard]] double correction() const;
 
@@ -79,6 +82,14 @@ class OdometryTrial {
   /// Whether the wheels have stood still since the last scan that was not lost.
   [[nodiscard]] bool is_at_rest(const std::optional<Pose2>& T_wheels_base) const;
 
+  /// Whether they have not turned at all: less than 1 cm and half a degree.
+  [[nodiscard]] bool has_not_moved(const std::optional<Pose2>& T_wheels_base) const;
+
+  /// How far the robot may be off where its odometry has it after `step` (m, rad): by five standard
+  /// deviations of what the scans have shown of it. Nothing unless its ways and its turns have both
+  /// proved true, nor where it stands still: a counter may have hung.
+  [[nodiscard]] std::optional<StepReach> proved_reach(const Pose2& step) const;
+
   /// The next scan, placed, with the pose that came with it.
   void add(const std::optional<Pose2>& T_wheels_base, const PlacedBase& placed);
 
@@ -102,6 +113,9 @@ class OdometryTrial {
   [[nodiscard]] Pose2 mended(const Pose2& step) const;
   /// The stretch that grows, with the last scan.
   void grow();
+  /// The wheels' motion since the last scan that was not lost.
+  [[nodiscard]] std::optional<Pose2> moved_since_placed(
+      const std::optional<Pose2>& T_wheels_base) const;
   void compare(const Pose2& by_scans, const Pose2& by_wheels);
   [[nodiscard]] OdometryVerdict verdict() const;
 

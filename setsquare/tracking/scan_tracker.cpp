@@ -60,8 +60,13 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
-  // Many scans in a row do not see again what was seen before: the robot was carried.
-  if (is_at_rest && num_lost_ >= params_.max_lost_scans) tracked.has_odometry = false;
+  // Many scans in a row do not see again what was seen before: the robot was carried. Among key
+  // frames one says so: none is taken where the robot stands.
+  const bool is_carried = long_steps_.are_usual() ? odometry_.has_not_moved(T_wheels_base)
+                                                  : is_at_rest;
+  const bool is_told = long_steps_.are_usual() ? tracked.is_restart
+                                               : num_lost_ >= params_.max_lost_scans;
+  if (is_carried && is_told) tracked.has_odometry = false;
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
@@ -307,8 +312,11 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
       fit.turn.bound_share < 1.0 && fit.alignment.score() >= least_score(fit);
   if (long_steps_.are_expected() && !fits_at_any_turn) {
     const std::vector<PlaceVote>& votes = scan.votes(prepared_);
-    const auto agreed = agreed_place(votes, expected_step(predicted, has_odometry), params_.votes);
-    if (agreed) return place_as_agreed(problem, agreed->T_odom_sensor, fit);
+    const ExpectedStep step = expected_step(scan, predicted, has_odometry);
+    const auto agreed = agreed_place(votes, step, params_.votes);
+    if (agreed && !is_refuted_by_odometry(*agreed, fit, step)) {
+      return place_as_agreed(problem, agreed->T_odom_sensor, fit);
+    }
     if (long_steps_.are_usual() && !has_odometry) {
       const auto along = place_along_walls(problem, votes, fit);
       if (along) return *along;
@@ -354,10 +362,22 @@ bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
          is_same_place(agreed->T_odom_sensor, found.T_odom_sensor, params_.votes);
 }
 
-ExpectedStep ScanTracker::expected_step(const Pose2& predicted, bool has_odometry) const {
-  if (has_odometry) return {predicted, params_.recovery.near_m, params_.recovery.near_rad};
-  const StepReach reach = long_steps_.reach();
-  return {last_.T_odom_sensor, reach.distance_m, reach.turn_rad};
+ExpectedStep ScanTracker::expected_step(const ArrivedScan& scan,
+                                        const Pose2& predicted,
+                                        bool has_odometry) const {
+  if (!has_odometry) return {last_.T_odom_sensor, long_steps_.reach()};
+  const auto proved = odometry_.proved_reach(last_sensor(scan.arrived()).inverse() * predicted);
+  if (proved) return {predicted, *proved, true};
+  return {predicted, {params_.recovery.near_m, params_.recovery.near_rad}};
+}
+
+bool ScanTracker::is_refuted_by_odometry(const AgreedPlace& agreed,
+                                         const SubmapFit& tracked,
+                                         const ExpectedStep& step) const {
+  if (!step.is_proved || is_within(step, agreed.T_odom_sensor)) return false;
+  const bool fits_as_driven = tracked.alignment.score() >= least_score(tracked) &&
+                              is_within(step, tracked.T_odom_sensor);
+  return fits_as_driven || agreed.votes < params_.votes.min_votes_for_jump;
 }
 
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,

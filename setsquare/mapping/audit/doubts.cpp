@@ -123,24 +123,36 @@ std::size_t piece_of(const Map& map, std::size_t scan) {
   return piece;
 }
 
+/// The last scan that hangs on what is between `before` and `after` (scans): up to where a match that
+/// agrees ties the track to what was before.
+std::size_t last_that_hangs(const Map& map,
+                            const AuditFindings& findings,
+                            std::size_t before,
+                            std::size_t after,
+                            const AuditParams& params) {
+  const auto scan_of = [&](std::size_t k) { return map.keyframes[findings.track.keyframes[k]]; };
+  std::size_t last = map.scans.size() - 1;
+  for (const AuditMatch& match : findings.matches) {
+    const std::size_t tied = scan_of(match.pair.to);
+    if (tied <= after || scan_of(match.pair.from) > before) continue;
+    const AuditOffset offset = audit_offset(match, findings.track, params);
+    if (!offset.contradicts_map) last = std::min(last, tied - 1);
+  }
+  return last;
+}
+
 /// What is in doubt where scans of `parts.to` match those of `parts.from` otherwise than the map
-/// has them. What follows hangs on them, up to where a match that agrees ties the track to what was
-/// before; and where the one part is of a piece that was joined to the other's, it is that joint,
-/// and the piece lies wrong from its begin.
+/// has them. What follows hangs on them; and where the one part is of a piece that was joined to the
+/// other's, it is that joint, and the piece lies wrong from its begin.
 ScanRange doubted_scans(const Map& map,
                         const AuditFindings& findings,
                         const ContradictedParts& parts,
                         const AuditParams& params) {
-  const auto scan_of = [&](std::size_t k) { return map.keyframes[findings.track.keyframes[k]]; };
-  ScanRange doubted{parts.to.first, map.scans.size() - 1};
+  const std::size_t last =
+      last_that_hangs(map, findings, parts.from.last, parts.to.last, params);
+  ScanRange doubted{parts.to.first, last};
   const std::size_t piece = piece_of(map, parts.to.first);
   if (piece_of(map, parts.from.last) != piece) doubted.first = map.pieces[piece].first_scan;
-  for (const AuditMatch& match : findings.matches) {
-    const std::size_t tied = scan_of(match.pair.to);
-    if (tied <= parts.to.last || scan_of(match.pair.from) > parts.from.last) continue;
-    const AuditOffset offset = audit_offset(match, findings.track, params);
-    if (!offset.contradicts_map) doubted.last = std::min(doubted.last, tied - 1);
-  }
   return doubted;
 }
 
@@ -265,15 +277,21 @@ void add_mirrored(const Map& map, std::vector<MapDoubt>& doubts) {
                                         by_odometry ? "odometry" : "gyro")));
 }
 
-void add_undecided_turns(const Map& map, std::vector<MapDoubt>& doubts) {
+/// What follows hangs on the turn.
+void add_undecided_turns(const Map& map,
+                         const AuditFindings& findings,
+                         const AuditParams& params,
+                         std::vector<MapDoubt>& doubts) {
   for (const UndecidedTurn& turn : map.undecided_turns) {
     if (std::abs(turn.turned_rad) < kTurned_rad) continue;
     if (!map.scans[turn.first_scan].is_placed || !map.scans[turn.last_scan].is_placed) continue;
     const ScanRange range{turn.first_scan, turn.last_scan};
+    const std::size_t last =
+        last_that_hangs(map, findings, turn.first_scan, turn.last_scan, params);
     doubts.push_back(doubt_at(
         map,
         DoubtKind::kUndecidedTurn,
-        range,
+        {turn.first_scan, last},
         middle_of(map, range),
         fmt::format("the walls turn by {:.1f} deg: tracking slipped, or another wing begins; "
                     "no match of {} tells which",
@@ -426,7 +444,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
   add_crossed_walls(map, findings, doubts);
   add_unknown_lengths(map, findings, params, doubts);
   add_unseen(map, doubts);
-  add_undecided_turns(map, doubts);
+  add_undecided_turns(map, findings, params, doubts);
   add_unjoined(map, doubts);
   return doubts;
 }
