@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
-#include "setsquare/core/median.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
@@ -16,6 +15,7 @@
 #include "setsquare/mapping/heading_spread.hpp"
 #include "setsquare/mapping/open_spread.hpp"
 #include "setsquare/mapping/registration.hpp"
+#include "setsquare/mapping/told_turns.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
 
 namespace setsquare {
@@ -53,49 +53,6 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
     if (is_begin) evidence[k].step_sigma_rad = kJointSigma_rad;
   }
   return evidence;
-}
-
-/// A turn that the walls left undecided, and how far the robot turned there beyond what was tracked.
-struct ToldTurn {
-  DoubtedTurn turn;
-  double beyond_rad = 0.0;
-};
-
-/// The doubted turns that explain how the hypotheses contradict the headings: those across which
-/// they have the robot turned by as much more, or less, as the walls turned there. Only so many are
-/// tried, those first that explain most of the hypotheses.
-std::vector<ToldTurn> told_turns(const FusedHeadings& headings,
-                                 const std::vector<MapHypothesis>& hypotheses,
-                                 const TurnCheckParams& params) {
-  constexpr std::size_t kMostTried = 3;
-  struct Explained {
-    ToldTurn told;
-    std::size_t num = 0;
-  };
-  std::vector<Explained> explained;
-  for (const DoubtedTurn& turn : headings.doubted) {
-    std::vector<double> off_rad;
-    for (const MapHypothesis& hypothesis : hypotheses) {
-      const auto [first, last] = std::minmax(hypothesis.keyframe_from, hypothesis.keyframe_to);
-      if (first > turn.from || last < turn.to) continue;
-      const double sign = first == hypothesis.keyframe_from ? 1.0 : -1.0;
-      const double off = sign * wrap_to_pi(hypothesis.T_from_to.theta_rad -
-                                           headings.heading_rad[hypothesis.keyframe_to] +
-                                           headings.heading_rad[hypothesis.keyframe_from]);
-      const double unlike = std::abs(std::abs(off) - std::abs(turn.turned_rad));
-      if (unlike < params.agreeing_rad) off_rad.push_back(off);
-    }
-    if (off_rad.empty()) continue;
-    const double drifted_rad = headings.drift_rad[turn.to] - headings.drift_rad[turn.from];
-    const std::size_t num = off_rad.size();
-    explained.push_back({{turn, wrap_to_pi(drifted_rad + median(std::move(off_rad)))}, num});
-  }
-  std::ranges::stable_sort(explained, std::ranges::greater{}, &Explained::num);
-  std::vector<ToldTurn> told;
-  for (const Explained& turn : explained) {
-    if (told.size() < kMostTried) told.push_back(turn.told);
-  }
-  return told;
 }
 
 /// The motion that brings the graph's poses, all in all, nearest to where the anchors have them.

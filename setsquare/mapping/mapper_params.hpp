@@ -176,6 +176,9 @@ struct TurnCheckParams {
   double agreeing_rad = rad_from_deg(2.0);    ///< Rotations that differ less are the same.
   std::size_t min_slip_matches = 3;           ///< Matches that tell the same slip.
   double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
+  /// A turn that no match decides is held for another wing where tracking would have slipped by
+  /// more than so many standard deviations.
+  double unlikely_slip_sigmas = 6.0;
   std::size_t longest_hop = 8;  ///< Keyframes from one scan to the one matched with it.
   int max_rounds = 4;           ///< Of checking and fusing again.
   /// Scans of fewer beams are not asked: a few returns that fit by chance confirm any turn.

@@ -17,6 +17,7 @@ namespace setsquare {
 void TurnCheckParams::validate() const {
   require_positive(agreeing_rad, "agreeing_rad");
   require_positive(slip_sigma_rad, "slip_sigma_rad");
+  require_positive(unlikely_slip_sigmas, "unlikely_slip_sigmas");
   if (longest_hop < 1) throw ParameterError("longest_hop", "must be at least 1");
 }
 
@@ -140,10 +141,34 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
     if (!is_new) break;
     fused = fuse_headings(checked(evidence), params);
   }
+  fused = with_turns_held(std::move(fused), evidence, params);
   for (std::size_t k = 0; k < track.size(); ++k) {
     fused.drift_rad[k] = fused.heading_rad[k] - evidence[k].tracked_heading_rad;
   }
   return fused;
+}
+
+FusedHeadings TurnChecks::with_turns_held(FusedHeadings fused,
+                                          const std::vector<HeadingEvidence>& evidence,
+                                          const HeadingFusionParams& params) const {
+  const auto is_unlikely_slip = [&](const DoubtedTurn& turn) {
+    double variance_rad2 = 0.0;
+    for (std::size_t k = turn.from + 1; k <= turn.to; ++k) {
+      variance_rad2 += evidence[k].step_sigma_rad * evidence[k].step_sigma_rad;
+    }
+    return std::abs(turn.turned_rad) > params_.unlikely_slip_sigmas * std::sqrt(variance_rad2);
+  };
+  TurnChecks held = *this;
+  bool is_any = false;
+  for (const DoubtedTurn& turn : fused.doubted) {
+    if (!is_unlikely_slip(turn)) continue;
+    held.decide(turn, 0.0);
+    is_any = true;
+  }
+  if (!is_any) return fused;
+  FusedHeadings again = fuse_headings(held.checked(evidence), params);
+  again.doubted = std::move(fused.doubted);
+  return again;
 }
 
 void TurnChecks::decide(const DoubtedTurn& turn, double beyond_rad) {

@@ -39,9 +39,16 @@ struct AgreedPlace {
 
 /// Where the robot may be by its motion alone.
 struct ExpectedStep {
-  Pose2 T_odom_sensor;    ///< About it, ...
-  StepReach reach;        ///< ... as far as this at most.
-  bool is_proved = false;  ///< By odometry that has proved true.
+  /// Who expects it.
+  enum class By {
+    kLastMotion,
+    kOdometry,        ///< Of which little is known.
+    kProvedOdometry,  ///< That has proved true.
+  };
+
+  Pose2 T_odom_sensor;  ///< About it, ...
+  StepReach reach;      ///< ... as far as this at most.
+  By by = By::kLastMotion;
 };
 
 /// Whether the robot may be there.

@@ -24,10 +24,9 @@ Eigen::Vector2d chord(const Pose2& motion) {
   return rotation_matrix(-0.5 * motion.theta_rad) * motion.translation();
 }
 
-/// Less than 1 cm, and than half a degree.
-bool is_no_motion(const Pose2& motion) { return !is_beyond(motion, 0.01, rad_from_deg(0.5)); }
-
 }  // namespace
+
+bool moves(const Pose2& step) { return is_beyond(step, 0.01, rad_from_deg(0.5)); }
 
 void OdometryTrialParams::validate() const {
   require_positive(stretch_m, "odometry.stretch_m");
@@ -138,13 +137,12 @@ bool OdometryTrial::is_at_rest(const std::optional<Pose2>& T_wheels_base) const 
 
 bool OdometryTrial::has_not_moved(const std::optional<Pose2>& T_wheels_base) const {
   const auto moved = moved_since_placed(T_wheels_base);
-  return moved && is_no_motion(*moved);
+  return moved && !moves(*moved);
 }
 
 std::optional<StepReach> OdometryTrial::proved_reach(const Pose2& step) const {
-  const bool has_proved =
-      params_.is_on && !is_refuted() && ways_.is_true() && turns_.is_true();
-  if (!has_proved || is_no_motion(step)) return std::nullopt;
+  const bool has_proved = params_.is_on && !is_refuted() && ways_.is_true() && turns_.is_true();
+  if (!has_proved) return std::nullopt;
   const double way_sigmas = params_.proved_sigmas * report_.way.deviation;
   const double turn_sigmas = params_.proved_sigmas * report_.turn.deviation;
   return StepReach{std::max(params_.least_reach_m, way_sigmas * way_m(step)),

@@ -16,6 +16,9 @@
 
 namespace setsquare {
 
+/// Whether odometry that steps so shows any motion: 1 cm, or half a degree.
+[[nodiscard]] bool moves(const Pose2& step);
+
 /// Where a scan was placed, for the odometry that came with it.
 struct PlacedBase {
   Timestamp stamp;
@@ -82,12 +85,12 @@ class OdometryTrial {
   /// Whether the wheels have stood still since the last scan that was not lost.
   [[nodiscard]] bool is_at_rest(const std::optional<Pose2>& T_wheels_base) const;
 
-  /// Whether they have not turned at all: less than 1 cm and half a degree.
+  /// Whether they have not moved at all since then.
   [[nodiscard]] bool has_not_moved(const std::optional<Pose2>& T_wheels_base) const;
 
   /// How far the robot may be off where its odometry has it after `step` (m, rad): by five standard
   /// deviations of what the scans have shown of it. Nothing unless its ways and its turns have both
-  /// proved true, nor where it stands still: a counter may have hung.
+  /// proved true.
   [[nodiscard]] std::optional<StepReach> proved_reach(const Pose2& step) const;
 
   /// The next scan, placed, with the pose that came with it.

@@ -62,10 +62,10 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.is_restart = is_restart(situation);
   // Many scans in a row do not see again what was seen before: the robot was carried. Among key
   // frames one says so: none is taken where the robot stands.
-  const bool is_carried = long_steps_.are_usual() ? odometry_.has_not_moved(T_wheels_base)
-                                                  : is_at_rest;
-  const bool is_told = long_steps_.are_usual() ? tracked.is_restart
-                                               : num_lost_ >= params_.max_lost_scans;
+  const bool is_carried =
+      long_steps_.are_usual() ? odometry_.has_not_moved(T_wheels_base) : is_at_rest;
+  const bool is_told =
+      long_steps_.are_usual() ? tracked.is_restart : num_lost_ >= params_.max_lost_scans;
   if (is_carried && is_told) tracked.has_odometry = false;
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
@@ -365,19 +365,26 @@ bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
 ExpectedStep ScanTracker::expected_step(const ArrivedScan& scan,
                                         const Pose2& predicted,
                                         bool has_odometry) const {
+  using By = ExpectedStep::By;
+  const Pose2 step = last_sensor(scan.arrived()).inverse() * predicted;
   if (!has_odometry) return {last_.T_odom_sensor, long_steps_.reach()};
-  const auto proved = odometry_.proved_reach(last_sensor(scan.arrived()).inverse() * predicted);
-  if (proved) return {predicted, *proved, true};
-  return {predicted, {params_.recovery.near_m, params_.recovery.near_rad}};
+  const StepReach near{params_.recovery.near_m, params_.recovery.near_rad};
+  if (!moves(step)) return {predicted, near};  // A counter may have hung.
+  const auto proved = odometry_.proved_reach(step);
+  if (proved) return {predicted, *proved, By::kProvedOdometry};
+  return {predicted, near, By::kOdometry};
 }
 
 bool ScanTracker::is_refuted_by_odometry(const AgreedPlace& agreed,
                                          const SubmapFit& tracked,
                                          const ExpectedStep& step) const {
-  if (!step.is_proved || is_within(step, agreed.T_odom_sensor)) return false;
-  const bool fits_as_driven = tracked.alignment.score() >= least_score(tracked) &&
-                              is_within(step, tracked.T_odom_sensor);
-  return fits_as_driven || agreed.votes < params_.votes.min_votes_for_jump;
+  using By = ExpectedStep::By;
+  if (step.by == By::kLastMotion || is_within(step, agreed.T_odom_sensor)) return false;
+  const bool is_seconded = agreed.votes >= params_.votes.min_votes_for_jump;
+  const bool fits_as_driven =
+      tracked.alignment.score() >= least_score(tracked) && is_within(step, tracked.T_odom_sensor);
+  return step.by == By::kProvedOdometry ? fits_as_driven || !is_seconded
+                                        : fits_as_driven && !is_seconded;
 }
 
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,

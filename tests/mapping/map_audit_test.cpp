@@ -294,7 +294,14 @@ TEST(MapDoubts, WallsThatTurnedAreOneWhereNoMatchTellsWhy) {
   ASSERT_EQ(doubts.size(), 1U) << "2 deg are too little to tell";
   EXPECT_EQ(doubts[0].kind, DoubtKind::kUndecidedTurn);
   EXPECT_EQ(doubts[0].first_scan, 40U);
-  EXPECT_EQ(doubts[0].num_scans, 5U);
+  EXPECT_EQ(doubts[0].num_scans, 60U) << "what follows hangs on it";
+  AuditFindings findings;
+  findings.track = audited_track(map);
+  const auto& poses = findings.track.T_map_sensor;
+  findings.matches = {{{30, 70}, poses[30].inverse() * poses[70], Eigen::Matrix3d::Identity()}};
+  EXPECT_EQ(doubts_of(map, findings, {})[0].num_scans, 30U) << "to where a match ties it";
+  findings.matches = {{{42, 70}, poses[42].inverse() * poses[70], Eigen::Matrix3d::Identity()}};
+  EXPECT_EQ(doubts_of(map, findings, {})[0].num_scans, 60U) << "one from behind it ties nothing";
   map.scans[44].is_placed = false;
   EXPECT_TRUE(doubts_without_matches(map).empty()) << "not in the map";
 }

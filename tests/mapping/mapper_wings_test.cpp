@@ -89,12 +89,30 @@ TEST(MapperWings, AtSmallAnglesAreNoSlips) {
   }
 }
 
-TEST(MapperWings, AreTakenForSlipsWithoutTheMatches) {
+/// Nothing tells wings from slips but how far tracking would have slipped.
+MapperParams without_matches() {
   MapperParams params;
   params.turns.max_rounds = 0;
+  params.audit.is_on = false;
+  return params;
+}
+
+double worst_of_nine_degrees_rad(std::uint64_t seed, const MapperParams& params) {
+  return worst_heading_rad(Drive(seed, rad_from_deg(9.0)), params);
+}
+
+// Where no match decides, tracking that would have slipped by many standard deviations did not.
+TEST(MapperWings, AreNoSlipsOfTrackingThatHardlyErrs) {
   for (std::uint64_t seed = 1; seed <= kNumSeeds; ++seed) {
-    const Drive drive(seed, rad_from_deg(9.0));
-    EXPECT_GT(worst_heading_rad(drive, params), rad_from_deg(3.0)) << seed;
+    EXPECT_LT(worst_of_nine_degrees_rad(seed, without_matches()), rad_from_deg(1.0)) << seed;
+  }
+}
+
+TEST(MapperWings, AreTakenForSlipsWithoutBoth) {
+  MapperParams params = without_matches();
+  params.turns.unlikely_slip_sigmas = 1e3;
+  for (std::uint64_t seed = 1; seed <= kNumSeeds; ++seed) {
+    EXPECT_GT(worst_of_nine_degrees_rad(seed, params), rad_from_deg(3.0)) << seed;
   }
 }
 

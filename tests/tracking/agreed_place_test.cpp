@@ -12,7 +12,7 @@ namespace setsquare::agreed_place_test {
 const Pose2 kHere{1.0, 0.0, 0.0};
 const Pose2 kNearHere{1.1, 0.0, 0.02};
 const Pose2 kElsewhere{4.0, 0.0, 0.0};
-const ExpectedStep kStepHere{{0.0, 0.0, 0.0}, 1.5, 1.0};
+const ExpectedStep kStepHere{{0.0, 0.0, 0.0}, {1.5, 1.0}};
 
 PlaceVote vote(const Pose2& T_odom_sensor, MatchStatus status) { return {T_odom_sensor, status}; }
 

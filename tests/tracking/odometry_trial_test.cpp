@@ -125,4 +125,30 @@ TEST(OdometryTrial, MendsScales) {
   }
 }
 
+TEST(OdometryTrial, ReachesNoFartherThanItHasErredOnceItHasProved) {
+  const auto truth = drive_around();
+  const auto run = [&](double error) {
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> noise(0.0, error);
+    Trial trial;
+    trial.run(
+        truth, wheels_on(truth, [&](const Pose2& step) {
+          const double way = 1.0 + noise(random);
+          return Pose2{way * step.x_m, way * step.y_m, (1.0 + noise(random)) * step.theta_rad};
+        }));
+    return trial.trial;
+  };
+  const Pose2 step{3.0, 0.0, 1.0};
+  const auto exact = run(0.0).proved_reach(step);
+  const auto fair = run(0.15).proved_reach(step);
+  ASSERT_TRUE(exact);
+  ASSERT_TRUE(fair);
+  // Of 3 m and 1 rad: what is noise of the scans, along stretches of 0.3 m, counts, too.
+  EXPECT_LT(exact->distance_m, 0.6);
+  EXPECT_LT(exact->turn_rad, 0.3);
+  EXPECT_GT(fair->distance_m, exact->distance_m);
+  EXPECT_FALSE(run(1.0).proved_reach(step)) << "it never proved";
+  EXPECT_FALSE(OdometryTrial({}).proved_reach(step));
+}
+
 }  // namespace setsquare::odometry_trial_test

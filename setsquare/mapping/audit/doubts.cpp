@@ -123,8 +123,8 @@ std::size_t piece_of(const Map& map, std::size_t scan) {
   return piece;
 }
 
-/// The last scan that hangs on what is between `before` and `after` (scans): up to where a match that
-/// agrees ties the track to what was before.
+/// The last scan that hangs on what is between `before` and `after` (scans): up to where a match
+/// that agrees ties the track to what was before.
 std::size_t last_that_hangs(const Map& map,
                             const AuditFindings& findings,
                             std::size_t before,
@@ -142,14 +142,13 @@ std::size_t last_that_hangs(const Map& map,
 }
 
 /// What is in doubt where scans of `parts.to` match those of `parts.from` otherwise than the map
-/// has them. What follows hangs on them; and where the one part is of a piece that was joined to the
-/// other's, it is that joint, and the piece lies wrong from its begin.
+/// has them. What follows hangs on them; and where the one part is of a piece that was joined to
+/// the other's, it is that joint, and the piece lies wrong from its begin.
 ScanRange doubted_scans(const Map& map,
                         const AuditFindings& findings,
                         const ContradictedParts& parts,
                         const AuditParams& params) {
-  const std::size_t last =
-      last_that_hangs(map, findings, parts.from.last, parts.to.last, params);
+  const std::size_t last = last_that_hangs(map, findings, parts.from.last, parts.to.last, params);
   ScanRange doubted{parts.to.first, last};
   const std::size_t piece = piece_of(map, parts.to.first);
   if (piece_of(map, parts.from.last) != piece) doubted.first = map.pieces[piece].first_scan;
