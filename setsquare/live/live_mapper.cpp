@@ -31,8 +31,8 @@ Clock::duration duration_of(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-Pose2 base_by_tracking(const TrackedPose& tracked, const Pose2& T_base_sensor) {
-  return tracked.T_odom_sensor * T_base_sensor.inverse();
+Pose2 base_by_tracking(const Pose2& T_odom_sensor, const Pose2& T_base_sensor) {
+  return T_odom_sensor * T_base_sensor.inverse();
 }
 
 /// Of the last scan; what the map does not know is left at 0.
@@ -174,8 +174,8 @@ LivePose LiveMapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_
   }
   TrackSteps steps;
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base, steps);
-  const MapFrame::Placed placed =
-      frame_.place(base_by_tracking(tracked, scan.T_base_sensor), run_, T_wheels_base);
+  const MapFrame::Placed placed = frame_.place(
+      base_by_tracking(tracked.T_odom_sensor, scan.T_base_sensor), run_, T_wheels_base);
   if (!is_provisional) {
     Work work{.steps = std::move(steps)};
     work.again = tracker_.take_tracking_again();
@@ -303,7 +303,7 @@ void LiveMapper::Parts::take(Work work) {
   if (work.sensors) sensors_ = std::move(*work.sensors);
   for (const TrackStep& step : work.steps.steps) {
     has_changed_ = has_changed_ || step.keyframe;
-    T_track_base_ = base_by_tracking(step.scan.tracked, step.scan.T_base_sensor);
+    T_track_base_ = base_by_tracking(step.scan.T_odom_sensor, step.scan.T_base_sensor);
   }
   map_.add(std::move(work.steps));
 }
@@ -381,7 +381,9 @@ void LiveMapper::Parts::draw() {
 
 LiveMapper::LiveMapper(const LiveMapperParams& params, OnMap on_map) {
   params.validate();
-  parts_ = std::make_unique<Parts>(params, std::move(on_map));
+  LiveMapperParams bounded = params;
+  bounded.mapper.forgetting.max_known_poses = params.max_known_poses;
+  parts_ = std::make_unique<Parts>(bounded, std::move(on_map));
 }
 LiveMapper::~LiveMapper() = default;
 

@@ -166,11 +166,13 @@ Map MapMaker::make() const {
 
 MapParts MapMaker::parts_of_log() const {
   return {.scans = log_.scans,
+          .num_scans = log_.num_scans,
           .kept_scans = log_.kept_scans,
           .track = log_.track,
           .shares_of_place = log_.shares_of_place,
           .hung_scans = log_.hung_scans,
-          .sessions = log_.sessions};
+          .sessions = log_.sessions,
+          .gaps = log_.gaps};
 }
 
 Map MapMaker::track_alone(const std::string& reason) const {

@@ -54,12 +54,14 @@ struct AnchoredKeyframe {
 /// What was tracked and found on the way, of which a map is made. Everything must outlive the maker
 /// of the map.
 struct TrackedLog {
-  std::span<const TrackedScan> scans;
+  const TrackedScans& scans;
+  std::size_t num_scans = 0;  ///< The first ones, of which the map is made.
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
   std::span<const double> shares_of_place;  ///< One per keyframe.
   std::span<const HungScan> hung_scans;     ///< Of forgotten keyframes, in their order.
   std::span<const MapSession> sessions;
+  std::span<const ForgottenPoses> gaps;  ///< Where poses were forgotten.
   /// The map's frame is the one in which these lie, as well as can be, where they lay. Empty: the
   /// first keyframe stands at the origin.
   const std::vector<AnchoredKeyframe>& anchors;
