@@ -178,15 +178,18 @@ std::string map_file_at(const std::string& path) {
 }
 
 std::string map_file_bytes(const Map& map, const MapRecord& record) {
-  Sections file;
   const KeptTable table = table_of(map.kept_scans);
+  std::size_t num_sections = 0;
+  for_each_section(
+      map, record, table, [&](const char* /*id*/, const auto&... /*fields*/) { ++num_sections; });
+  map_file::SectionsWriter file(num_sections);
   for_each_section(map, record, table, [&](const char* id, const auto&... fields) {
     FieldWriter writer;
     writer(fields...);
     const bool is_required = std::ranges::find(kForgotten, id) == kForgotten.end();
-    file.sections.push_back({id, is_required, writer.take()});
+    file.add({id, is_required, writer.take()});
   });
-  return map_file::bytes_from_sections(file);
+  return file.take();
 }
 
 void save_map_file(const Map& map, const std::string& path, const MapRecord& record) {
