@@ -53,6 +53,7 @@ void LiveMapperParams::validate() const {
   mapper.validate();
   require_positive(map_period_s, "map_period_s");
   require_positive(max_drawing_share, "max_drawing_share");
+  require_at_least_one(max_behind, "max_behind");
 }
 
 /// Two threads. The caller's tracks: `tracker_`. The other one, the drawer, has `map_`; `work_`
@@ -135,7 +136,7 @@ class LiveMapper::Parts {
 
   mutable std::mutex mutex_;  ///< All below.
   std::condition_variable has_work_;
-  std::condition_variable is_done_;
+  std::condition_variable is_done_;  ///< The drawer, with what it took, or with all.
   std::deque<Work> work_;
   bool is_at_work_ = false;         ///< The drawer.
   std::size_t num_in_work_ = 0;     ///< Taken by it, not yet part of its map.
@@ -218,7 +219,9 @@ void LiveMapper::Parts::take_over_tracker() {
 void LiveMapper::Parts::hand_over(Work work) {
   if (!work.again && work.steps.steps.empty()) return;
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    is_done_.wait(lock,
+                  [this] { return failure_ || work_.size() + num_in_work_ < params_.max_behind; });
     if (work.again) {
       is_tracking_again_ = true;
       ++counts_.num_again;
@@ -284,6 +287,7 @@ void LiveMapper::Parts::draw_until_end() {
         const std::lock_guard taken_lock(mutex_);
         num_in_work_ = 0;
       }
+      is_done_.notify_all();
       if (must_draw || (has_changed_ && !requests.empty())) draw();
       for (auto& request : requests) request.set_value(last_map());
       lock.lock();
@@ -348,7 +352,7 @@ void LiveMapper::Parts::draw() {
   Map map;
   std::optional<OccupancyGrid> grid;
   try {
-    map = map_.make(sensors_);
+    map = map_.make_next(sensors_);
     grid = occupancy_grid(map);
   } catch (const Error&) {
     const std::lock_guard lock(mutex_);

@@ -120,6 +120,7 @@ bool GrowingMap::is_last_session_empty() const {
 }
 
 void GrowingMap::forget_last_session() {
+  settled_.reset();
   const std::size_t first_scan = sessions_.back().first_scan;
   sessions_.pop_back();
   scans_.resize(first_scan);
@@ -239,6 +240,7 @@ void GrowingMap::forget_known(std::span<const double> headings_rad) {
   const std::vector<std::size_t> kept =
       keyframes_to_keep(track_, known_.places(), revisits_in(graph, closer_), params_.forgetting);
   if (kept.size() == track_.size()) return;
+  settled_.reset();  // It names keyframes.
   num_forgotten_ += track_.size() - kept.size();
   hang_forgotten(track_, kept, known_.places(), hung_scans_);
   const std::vector<Pose2> T_map_sensor = poses_of_known(track_, known_.places(), graph.T_map_node);
@@ -398,6 +400,15 @@ void GrowingMap::date_by_stamps() {
 // --- The map -------------------------------------------------------------------------------------
 
 Map GrowingMap::make(const SensorReports& sensors) const {
+  return made(sensors, [](const MapMaker& maker) { return maker.make(); });
+}
+
+Map GrowingMap::make_next(const SensorReports& sensors) {
+  return made(sensors, [&](const MapMaker& maker) { return maker.make_next(settled_); });
+}
+
+template <typename MakeOf>
+Map GrowingMap::made(const SensorReports& sensors, const MakeOf& make_of) const {
   SensorReports told = sensors;
   if (known_sensors_ && is_session_waiting_) {
     told = *known_sensors_;
@@ -437,7 +448,7 @@ Map GrowingMap::make(const SensorReports& sensors) const {
                        .turn_checks = turn_checks_,
                        .closer = closer_,
                        .add_sensors = [&](Map& map) { write_sensors(told, map); }};
-  Map map = MapMaker(log, params_).make();
+  Map map = make_of(MapMaker(log, params_));
   map.num_forgotten = num_forgotten_;
   return map;
 }

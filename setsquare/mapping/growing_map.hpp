@@ -58,6 +58,9 @@ class GrowingMap {
   /// The map of all so far; more may follow. `sensors`: what those of the log that is tracked
   /// turned out to be. Until it has a scan here, the map tells those of the first map.
   [[nodiscard]] Map make(const SensorReports& sensors) const;
+  /// The same for one of several on the way, sooner: pieces that have been joined stay where they
+  /// are, and only the loops that came since are closed (MapMaker::make_next).
+  [[nodiscard]] Map make_next(const SensorReports& sensors);
 
   /// Scans mapped.
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
@@ -71,6 +74,9 @@ class GrowingMap {
     bool piece = false;
   };
 
+  /// `make_of`: makes the map of what was tracked.
+  template <typename MakeOf>
+  [[nodiscard]] Map made(const SensorReports& sensors, const MakeOf& make_of) const;
   void add(TrackStep&& step);
   /// Drift that forgetting has taken off what came before.
   void take_drift_off(TrackStep& step) const;
@@ -111,6 +117,7 @@ class GrowingMap {
   TurnChecks turn_checks_;
   LoopCloser closer_;
   KnownKeyframes known_;
+  std::optional<SettledLoops> settled_;   ///< By a map on the way.
   std::vector<HungScan> hung_scans_;      ///< Of the keyframes that were forgotten, in their order.
   std::vector<ForgottenPoses> gaps_;      ///< Where poses were forgotten.
   std::size_t num_forgotten_ = 0;         ///< Keyframes, ...
