@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <cstdlib>
 #include <iostream>
 #include <iterator>
+#include <limits>
 #include <memory>
 #include <string>
 #include <vector>
@@ -204,6 +206,15 @@ void add_live(CLI::App& application) {
           "--map-period", options->live.map_period_s, "Seconds from a map to the next, at least")
       ->check(app::number_above(0.0))
       ->type_name("S")
+      ->capture_default_str();
+  live->add_option(
+          "--known-poses",
+          options->live.max_known_poses,
+          "Of ground that several visits have covered the newest N scans keep their poses; "
+          "older ones are forgotten, so that memory does not grow for ever. 0: all keep "
+          "them")
+      ->check(app::whole_number(0, std::numeric_limits<std::uint32_t>::max()))
+      ->type_name("N")
       ->capture_default_str();
   live->add_flag_callback(
       "--no-odometry",

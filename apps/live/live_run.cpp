@@ -13,6 +13,7 @@
 
 #include "apps/live/said_poses.hpp"
 #include "apps/setsquare/audit/verdict_text.hpp"
+#include "apps/setsquare/give_back_memory.hpp"
 #include "apps/setsquare/localize/outputs.hpp"
 #include "apps/setsquare/outputs/inputs.hpp"
 #include "apps/setsquare/scans/log_options.hpp"
@@ -24,6 +25,7 @@
 #include "setsquare/io/map_file/map_file.hpp"
 #include "setsquare/live/paced_log.hpp"
 #include "setsquare/live/resumed_messages.hpp"
+#include "setsquare/map/map_summary.hpp"
 #include "setsquare/pipeline/run_sentences.hpp"
 #include "setsquare/report/map/save_map.hpp"
 
@@ -216,6 +218,7 @@ void LiveRun::show_pose(const LogRecord& record, const LivePose& pose) {
 }
 
 void LiveRun::show_map(const LiveMapPtr& map) {
+  app::give_back_memory();  // What making it took.
   const std::lock_guard lock(outputs_mutex_);
   if (!is_live_) return;
   for (LiveOutput* output : outputs_) output->show_map(map);
@@ -260,6 +263,7 @@ void LiveRun::run() {
 void LiveRun::map() {
   const MappedLog mapped = mapping_->run(*log_);
   end_shows();
+  app::give_back_memory();
   tell(mapped);
   if (!options_.output_path.empty()) {
     std::cout << save(mapped, options_.output_path) << "\n";
@@ -324,6 +328,9 @@ void LiveRun::tell(const MappedLog& mapped) const {
                    counts.num_maps,
                    counts.num_again);
   for (const std::string& sentence : sentences_on_sessions(mapped.map)) {
+    std::cout << sentence << "\n";
+  }
+  for (const std::string& sentence : sentences_on_forgotten(summary_of(mapped.map))) {
     std::cout << sentence << "\n";
   }
   tell_input();

@@ -31,8 +31,8 @@ Clock::duration duration_of(double seconds) {
   return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
 }
 
-Pose2 base_by_tracking(const TrackedPose& tracked, const Pose2& T_base_sensor) {
-  return tracked.T_odom_sensor * T_base_sensor.inverse();
+Pose2 base_by_tracking(const Pose2& T_odom_sensor, const Pose2& T_base_sensor) {
+  return T_odom_sensor * T_base_sensor.inverse();
 }
 
 /// Of the last scan; what the map does not know is left at 0.
@@ -53,6 +53,7 @@ void LiveMapperParams::validate() const {
   mapper.validate();
   require_positive(map_period_s, "map_period_s");
   require_positive(max_drawing_share, "max_drawing_share");
+  require_at_least_one(max_behind, "max_behind");
 }
 
 /// Two threads. The caller's tracks: `tracker_`. The other one, the drawer, has `map_`; `work_`
@@ -135,7 +136,7 @@ class LiveMapper::Parts {
 
   mutable std::mutex mutex_;  ///< All below.
   std::condition_variable has_work_;
-  std::condition_variable is_done_;
+  std::condition_variable is_done_;  ///< The drawer, with what it took, or with all.
   std::deque<Work> work_;
   bool is_at_work_ = false;         ///< The drawer.
   std::size_t num_in_work_ = 0;     ///< Taken by it, not yet part of its map.
@@ -174,8 +175,8 @@ LivePose LiveMapper::Parts::add(const Scan& scan, const std::optional<Pose2>& T_
   }
   TrackSteps steps;
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base, steps);
-  const MapFrame::Placed placed =
-      frame_.place(base_by_tracking(tracked, scan.T_base_sensor), run_, T_wheels_base);
+  const MapFrame::Placed placed = frame_.place(
+      base_by_tracking(tracked.T_odom_sensor, scan.T_base_sensor), run_, T_wheels_base);
   if (!is_provisional) {
     Work work{.steps = std::move(steps)};
     work.again = tracker_.take_tracking_again();
@@ -218,7 +219,9 @@ void LiveMapper::Parts::take_over_tracker() {
 void LiveMapper::Parts::hand_over(Work work) {
   if (!work.again && work.steps.steps.empty()) return;
   {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    is_done_.wait(lock,
+                  [this] { return failure_ || work_.size() + num_in_work_ < params_.max_behind; });
     if (work.again) {
       is_tracking_again_ = true;
       ++counts_.num_again;
@@ -284,6 +287,7 @@ void LiveMapper::Parts::draw_until_end() {
         const std::lock_guard taken_lock(mutex_);
         num_in_work_ = 0;
       }
+      is_done_.notify_all();
       if (must_draw || (has_changed_ && !requests.empty())) draw();
       for (auto& request : requests) request.set_value(last_map());
       lock.lock();
@@ -303,7 +307,7 @@ void LiveMapper::Parts::take(Work work) {
   if (work.sensors) sensors_ = std::move(*work.sensors);
   for (const TrackStep& step : work.steps.steps) {
     has_changed_ = has_changed_ || step.keyframe;
-    T_track_base_ = base_by_tracking(step.scan.tracked, step.scan.T_base_sensor);
+    T_track_base_ = base_by_tracking(step.scan.T_odom_sensor, step.scan.T_base_sensor);
   }
   map_.add(std::move(work.steps));
 }
@@ -348,7 +352,7 @@ void LiveMapper::Parts::draw() {
   Map map;
   std::optional<OccupancyGrid> grid;
   try {
-    map = map_.make(sensors_);
+    map = map_.make_next(sensors_);
     grid = occupancy_grid(map);
   } catch (const Error&) {
     const std::lock_guard lock(mutex_);
@@ -381,7 +385,9 @@ void LiveMapper::Parts::draw() {
 
 LiveMapper::LiveMapper(const LiveMapperParams& params, OnMap on_map) {
   params.validate();
-  parts_ = std::make_unique<Parts>(params, std::move(on_map));
+  LiveMapperParams bounded = params;
+  bounded.mapper.forgetting.max_known_poses = params.max_known_poses;
+  parts_ = std::make_unique<Parts>(bounded, std::move(on_map));
 }
 LiveMapper::~LiveMapper() = default;
 

@@ -22,6 +22,12 @@ struct LiveMapperParams {
   /// A map to go on with (Mapper), or null. Until the robot's place in it is found, its poses have
   /// no meaning (LivePose::is_placed).
   std::shared_ptr<const Map> known_map = nullptr;
+  /// Of known ground so many of the newest poses stay (ForgettingParams::max_known_poses), an hour
+  /// at 10 Hz: memory does not grow with the time. 0: all stay.
+  std::size_t max_known_poses = 36'000;
+  /// Where closing and drawing fall so many scans behind tracking, add() waits: memory is bounded,
+  /// whatever the machine.
+  std::size_t max_behind = 10'000;
   double map_period_s = 2.0;  ///< A map is drawn no more often.
   /// At most this share of the time goes into maps that are drawn on the way: large ones come less
   /// often. Loops are closed as in Mapper.
@@ -49,11 +55,12 @@ struct LiveCounts {
 ///
 ///   LiveMapper mapper({}, on_map);
 ///   for each scan: publish(mapper.add(scan, T_wheels_base));
-///   const Map map = mapper.finish();  // what Mapper would have given: the same bytes
+///   const Map map = mapper.finish();  // what Mapper with these parameters gives: the same bytes
 ///
-/// Tracking never waits for closing, solving or drawing. Where all that came is to be tracked again
-/// (LogTracker: a sweep time was found, the odometry refuted), that is done beside, too, while
-/// poses go on by what was known before. Memory grows as Mapper's.
+/// Tracking does not wait for closing, solving or drawing (but for LiveMapperParams::max_behind).
+/// Where all that came is to be tracked again (LogTracker: a sweep time was found, the odometry
+/// refuted), that is done beside, too, while poses go on by what was known before. Memory grows
+/// with the building, not with the time: of known ground the oldest poses are forgotten.
 class LiveMapper {
  public:
   /// Told of each new map, on the other thread; must not call the mapper's finish().

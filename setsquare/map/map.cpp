@@ -46,10 +46,10 @@ StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
 
 }  // namespace
 
-bool begins_later_session(const Map& map, std::size_t scan) {
-  return scan > 0 && std::ranges::any_of(map.sessions, [&](const MapSession& session) {
-           return session.first_scan == scan;
-         });
+bool begins_anew(const Map& map, std::size_t scan) {
+  return scan > 0 &&
+         (std::ranges::binary_search(map.sessions, scan, {}, &MapSession::first_scan) ||
+          std::ranges::binary_search(map.forgotten_poses, scan, {}, &ForgottenPoses::next_scan));
 }
 
 bool is_joined(const Map& map, const MapSession& session) {
@@ -96,6 +96,13 @@ void validate(const Map& map) {
   require_each(track.T_odom_sensor, "track.T_odom_sensor", "is not finite", has_finite_numbers);
   if (!track.motions.empty() && track.motions.size() != map.keyframes.size()) {
     throw ParameterError("track.motions", "must be one per keyframe");
+  }
+  require_each(
+      map.forgotten_poses, "forgotten_poses", "names no scan", [&](const ForgottenPoses& gap) {
+        return is_scan(gap.next_scan) && std::isfinite(gap.way_m);
+      });
+  if (!std::ranges::is_sorted(map.forgotten_poses, {}, &ForgottenPoses::next_scan)) {
+    throw ParameterError("forgotten_poses", "are not in the order of the scans");
   }
   require_each(map.open_stretches, "open_stretches", "has no such scans", are_scans);
   require_each(map.closures, "closures", "names no scan", [&](const MappedClosure& closure) {

@@ -78,6 +78,13 @@ struct MappedClosure {
   std::size_t scan_j = 0;  ///< Index of Map::scans.
 };
 
+/// A place in the order of the scans at which scans of known ground are left out.
+struct ForgottenPoses {
+  std::size_t next_scan = 0;  ///< Index of Map::scans: the first behind them.
+  std::size_t num_scans = 0;  ///< That are left out.
+  double way_m = 0.0;         ///< Travelled from the scan before them to the one behind.
+};
+
 /// A part of the track that tracking holds together.
 struct TrackPiece {
   std::size_t first_scan = 0;  ///< Index of Map::scans.
@@ -127,7 +134,8 @@ struct BuildingFrame {
 
 /// What a mapper knows. The map's axes are those of the building's main frame.
 struct Map {
-  std::vector<MappedScan> scans;  ///< Every scan that was mapped, in the order in which it came.
+  /// The scans that were mapped, in the order in which they came: all, but for forgotten_poses.
+  std::vector<MappedScan> scans;
   std::vector<std::size_t> keyframes;       ///< Indices of scans.
   std::vector<MappedHeading> headings;      ///< One per keyframe; none by PaperMapper.
   std::vector<BuildingFrame> frames;        ///< The main one first; none by PaperMapper.
@@ -144,6 +152,9 @@ struct Map {
   std::size_t num_with_odometry = 0;           ///< Scans that came with a pose by wheel odometry.
   /// Keyframes of places seen before that showed nothing new: they are not among `keyframes`.
   std::size_t num_forgotten = 0;
+  /// Where scans between such keyframes are left out, in the map's order; nowhere unless asked for
+  /// (ForgettingParams::max_known_poses).
+  std::vector<ForgottenPoses> forgotten_poses;
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their
   /// weights, the headings measured; empty by PaperMapper.
   PoseGraph graph;
@@ -160,8 +171,9 @@ void validate(const Map& map);
 /// A heading whose standard deviation is above this is told to be open.
 inline constexpr double kOpenHeading_rad = rad_from_deg(5.0);
 
-/// Whether a scan is the first of a session that follows another one: the way to it is unknown.
-[[nodiscard]] bool begins_later_session(const Map& map, std::size_t scan);
+/// Whether no step leads to a scan from the one before: it is the first of a session that follows
+/// another one, or the first behind scans that are left out.
+[[nodiscard]] bool begins_anew(const Map& map, std::size_t scan);
 
 /// Whether a part of the session has its place in the map.
 [[nodiscard]] bool is_joined(const Map& map, const MapSession& session);

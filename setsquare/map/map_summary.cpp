@@ -15,14 +15,18 @@ void count_scans(const Map& map, MapSummary& summary) {
   summary.num_scans = map.scans.size();
   summary.num_keyframes = map.keyframes.size();
   summary.num_forgotten = map.num_forgotten;
+  for (const ForgottenPoses& gap : map.forgotten_poses) {
+    summary.num_forgotten_poses += gap.num_scans;
+    summary.path_m += gap.way_m;
+  }
   for (std::size_t i = 0; i < map.scans.size(); ++i) {
     const TrackStatus status = map.scans[i].status;
     summary.num_tracked += status == TrackStatus::kTracked;
     summary.num_degenerate += status == TrackStatus::kDegenerate;
     summary.num_recovered += status == TrackStatus::kRecovered;
     summary.num_lost += status == TrackStatus::kLost;
-    const bool is_step = i > 0 && map.scans[i].is_placed && map.scans[i - 1].is_placed &&
-                         !begins_later_session(map, i);
+    const bool is_step =
+        i > 0 && map.scans[i].is_placed && map.scans[i - 1].is_placed && !begins_anew(map, i);
     if (is_step) summary.path_m += step_m(map, i);
   }
 }
@@ -64,7 +68,7 @@ std::vector<StatusStretch> status_stretches(const Map& map) {
   for (std::size_t i = 0; i < map.scans.size(); ++i) {
     const TrackStatus status = map.scans[i].status;
     if (status == TrackStatus::kTracked) continue;
-    const bool begins = i == 0 || begins_later_session(map, i);
+    const bool begins = i == 0 || begins_anew(map, i);
     const bool continues = !begins && map.scans[i - 1].status == status;
     if (!continues) {
       found.push_back({.status = status, .first_scan = i, .num_scans = 0, .path_m = 0.0});

@@ -11,14 +11,16 @@ namespace setsquare {
 
 /// A map in figures: what the command prints, run.json and the page hold.
 struct MapSummary {
-  std::size_t num_scans = 0;       ///< Mapped, placed or not.
-  std::size_t num_keyframes = 0;   ///< Kept to match with.
-  std::size_t num_forgotten = 0;   ///< Keyframes that showed nothing new.
-  std::size_t num_tracked = 0;     ///< Scans of each status.
-  std::size_t num_degenerate = 0;  ///< The walls left a direction open.
-  std::size_t num_recovered = 0;   ///< Found again after they were lost.
-  std::size_t num_lost = 0;        ///< Not found: they stand where they were expected.
-  double path_m = 0.0;  ///< Travelled along the trajectory, from one placed scan to the next.
+  std::size_t num_scans = 0;            ///< Mapped, placed or not.
+  std::size_t num_keyframes = 0;        ///< Kept to match with.
+  std::size_t num_forgotten = 0;        ///< Keyframes that showed nothing new.
+  std::size_t num_forgotten_poses = 0;  ///< Scans beside num_scans that are left out.
+  std::size_t num_tracked = 0;          ///< Scans of each status.
+  std::size_t num_degenerate = 0;       ///< The walls left a direction open.
+  std::size_t num_recovered = 0;        ///< Found again after they were lost.
+  std::size_t num_lost = 0;             ///< Not found: they stand where they were expected.
+  double path_m = 0.0;  ///< Travelled along the trajectory, from one placed scan to the next, and
+                        ///< where scans are left out.
 
   std::size_t num_compared_closures = 0;  ///< Of placed scans, as all that follow.
   std::size_t num_accepted_closures = 0;  ///< That entered the pose graph.

@@ -100,6 +100,12 @@ Eigen::Matrix2d turned(const Eigen::Matrix2d& covariance, double turn_rad) {
   return R * covariance * R.transpose();
 }
 
+/// The first of `hung` that is not before a scan.
+std::size_t hung_from(std::span<const HungScan> hung, std::size_t scan) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(hung, scan, {}, &HungScan::scan_index) -
+                                  hung.begin());
+}
+
 }  // namespace
 
 std::vector<std::size_t> keyframes_to_keep(const KeyframeTrack& track,
@@ -163,11 +169,14 @@ Pose2 forget_keyframes(std::span<const std::size_t> kept,
     keyframes.push_back(
         {track.keyframes[k]->scan_index - first_scan, T_odom_sensor[k - first], begins_piece});
   }
-  const auto scans = std::span(parts.scans).subspan(first_scan);
   std::vector<Pose2> T_old_sensor;
-  for (const TrackedScan& scan : scans) T_old_sensor.push_back(scan.tracked.T_odom_sensor);
+  for (std::size_t i = first_scan; i < parts.scans.size(); ++i) {
+    T_old_sensor.push_back(parts.scans.T_odom_sensor(i));
+  }
   const std::vector<Pose2> T_new_sensor = assemble_track(T_old_sensor, keyframes);
-  for (std::size_t i = 0; i < scans.size(); ++i) move_to_odom(T_new_sensor[i], scans[i]);
+  for (std::size_t i = 0; i < T_new_sensor.size(); ++i) {
+    parts.scans.move_to_odom(first_scan + i, T_new_sensor[i]);
+  }
 
   std::vector<MotionCovariance> joined(kept.size());
   std::size_t num_runs = 0;
@@ -203,15 +212,79 @@ Pose2 forget_keyframes(std::span<const std::size_t> kept,
   return T_new_old;
 }
 
-void move_to_odom(const Pose2& T_odom_sensor, TrackedScan& scan) {
-  TrackedPose& tracked = scan.tracked;
-  const Pose2 T_sensor_body = tracked.T_odom_sensor.inverse() * tracked.T_odom_body;
-  const Eigen::Matrix2d R =
-      rotation_matrix(T_odom_sensor.theta_rad - tracked.T_odom_sensor.theta_rad);
-  tracked.T_odom_sensor = T_odom_sensor;
-  tracked.T_odom_body = T_odom_sensor * T_sensor_body;
-  tracked.open.direction = R * tracked.open.direction;
-  tracked.turn_motion_m = R * tracked.turn_motion_m;
+std::vector<KnownScans> oldest_known_scans(const KeyframeTrack& track,
+                                           std::span<const HungScan> hung,
+                                           std::size_t max_num) {
+  std::vector<KnownScans> known;  // Between two keyframes between which others were.
+  std::size_t num_known = 0;
+  for (std::size_t k = 1; k < track.size(); ++k) {
+    const KnownScans between{track.keyframes[k - 1]->scan_index + 1,
+                             track.keyframes[k]->scan_index};
+    const std::size_t first_hung = hung_from(hung, between.first);
+    if (first_hung == hung.size() || hung[first_hung].scan_index >= between.end) continue;
+    known.push_back(between);
+    num_known += between.end - between.first;
+  }
+  std::vector<KnownScans> oldest;
+  for (const KnownScans& between : known) {
+    if (num_known <= max_num) break;
+    const std::size_t num = std::min(num_known - max_num, between.end - between.first);
+    const std::size_t anchor = hung_from(hung, between.first + num);
+    const std::size_t end =
+        anchor < hung.size() ? std::min(hung[anchor].scan_index, between.end) : between.end;
+    oldest.push_back({between.first, end});
+    num_known -= end - between.first;
+  }
+  return oldest;
+}
+
+void add_gap(const KnownScans& range,
+             const TrackedScans& scans,
+             std::vector<ForgottenPoses>& gaps) {
+  ForgottenPoses told{range.first, range.end - range.first, 0.0};
+  const auto base = [&](std::size_t i) {
+    return (scans.T_odom_sensor(i) * scans[i].T_base_sensor.inverse()).translation();
+  };
+  // Gaps within the range are part of the new one: no step leads over them.
+  const auto first = std::ranges::lower_bound(gaps, range.first, {}, &ForgottenPoses::next_scan);
+  const auto last = std::ranges::upper_bound(gaps, range.end, {}, &ForgottenPoses::next_scan);
+  auto within = first;
+  for (std::size_t i = range.first; i <= range.end; ++i) {
+    if (within != last && within->next_scan == i) {
+      told.num_scans += within->num_scans;
+      told.way_m += within->way_m;
+      ++within;
+    } else {
+      told.way_m += (base(i) - base(i - 1)).norm();
+    }
+  }
+  for (auto behind = last; behind != gaps.end(); ++behind) {
+    behind->next_scan -= range.end - range.first;
+  }
+  gaps.insert(gaps.erase(first, last), told);
+}
+
+void renumber_behind(const KnownScans& range,
+                     KeyframeTrack& track,
+                     std::vector<KeptScan>& kept_scans,
+                     std::vector<HungScan>& hung) {
+  const std::size_t num_gone = range.end - range.first;
+  const auto is_behind = [&](std::size_t scan) { return scan >= range.end; };
+  for (KeyframePtr& keyframe : track.keyframes) {
+    if (!is_behind(keyframe->scan_index)) continue;
+    Keyframe numbered = *keyframe;
+    numbered.scan_index -= num_gone;
+    keyframe = std::make_shared<const Keyframe>(std::move(numbered));
+  }
+  for (KeptScan& kept : kept_scans) {
+    if (is_behind(kept.index)) kept.index -= num_gone;
+  }
+  hung.erase(hung.begin() + static_cast<std::ptrdiff_t>(hung_from(hung, range.first)),
+             hung.begin() + static_cast<std::ptrdiff_t>(hung_from(hung, range.end)));
+  for (HungScan& scan : hung) {
+    if (is_behind(scan.scan_index)) scan.scan_index -= num_gone;
+    if (is_behind(scan.reference_scan)) scan.reference_scan -= num_gone;
+  }
 }
 
 KeyframePtr moved_to_odom(const Keyframe& keyframe,

@@ -14,8 +14,8 @@
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/known_keyframes.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
-#include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/tracked_scans.hpp"
 
 namespace setsquare {
 
@@ -40,7 +40,7 @@ void hang_forgotten(const KeyframeTrack& track,
 
 /// What tracking told of one log, one entry of the last four per keyframe.
 struct TrackedParts {
-  std::vector<TrackedScan>& scans;
+  TrackedScans& scans;
   std::vector<KeptScan>& kept_scans;
   KeyframeTrack& track;
   std::vector<double>& shares_of_place;
@@ -60,8 +60,28 @@ struct TrackedParts {
                                      const ForgettingParams& params,
                                      TrackedParts parts);
 
-/// A scan in another odom frame.
-void move_to_odom(const Pose2& T_odom_sensor, TrackedScan& scan);
+/// Scans, one after the other.
+struct KnownScans {
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< Behind the last.
+};
+
+/// The oldest scans between keyframes that were forgotten, and of these: all that are more than
+/// `max_num`. Each range ends before a keyframe or a scan that hangs on one (`hung`): the scans
+/// that stay lie as they did.
+[[nodiscard]] std::vector<KnownScans> oldest_known_scans(const KeyframeTrack& track,
+                                                         std::span<const HungScan> hung,
+                                                         std::size_t max_num);
+
+/// Tells of scans that are about to be left out, in the numbers that the scans will have; `gaps`
+/// stay in their order.
+void add_gap(const KnownScans& range, const TrackedScans& scans, std::vector<ForgottenPoses>& gaps);
+
+/// What names scans, when those of a range, which has no keyframe, are no longer there.
+void renumber_behind(const KnownScans& range,
+                     KeyframeTrack& track,
+                     std::vector<KeptScan>& kept_scans,
+                     std::vector<HungScan>& hung);
 
 /// A keyframe in another odom frame, with the motion to it.
 [[nodiscard]] KeyframePtr moved_to_odom(const Keyframe& keyframe,

@@ -32,18 +32,17 @@ TrackedScan tracked_scan(const MappedScan& mapped,
                          const Pose2& T_base_sensor) {
   const Eigen::Rotation2Dd to_odom(T_odom_sensor.theta_rad - mapped.T_map_sensor.theta_rad);
   TrackedScan scan{.stamp = mapped.stamp,
-                   .tracked = {.status = mapped.status,
-                               .T_odom_sensor = T_odom_sensor,
-                               .has_odometry = mapped.has_odometry,
-                               .score = mapped.score,
-                               .open = {},
-                               .turn_bound_share = mapped.is_turn_open ? 0.0 : 1.0},
+                   .status = mapped.status,
+                   .has_odometry = mapped.has_odometry,
+                   .score = static_cast<float>(mapped.score),
+                   .T_odom_sensor = T_odom_sensor,
                    .T_base_sensor = T_base_sensor,
-                   .open_sigma_m = mapped.open_sigma_m.norm(),
-                   .open_turn_sigma_rad = mapped.open_turn_sigma_rad};
-  scan.tracked.turn_motion_m = to_odom * mapped.open_turn_motion_m;
-  if (scan.open_sigma_m > 0.0) {
-    scan.tracked.open.direction = to_odom * mapped.open_sigma_m / scan.open_sigma_m;
+                   .open = {.sigma_m = mapped.open_sigma_m.norm(),
+                            .is_turn_open = mapped.is_turn_open,
+                            .turn_sigma_rad = mapped.open_turn_sigma_rad,
+                            .turn_motion_m = to_odom * mapped.open_turn_motion_m}};
+  if (scan.open.sigma_m > 0.0) {
+    scan.open.direction = to_odom * mapped.open_sigma_m / scan.open.sigma_m;
   }
   return scan;
 }
@@ -121,6 +120,7 @@ bool GrowingMap::is_last_session_empty() const {
 }
 
 void GrowingMap::forget_last_session() {
+  settled_.reset();
   const std::size_t first_scan = sessions_.back().first_scan;
   sessions_.pop_back();
   scans_.resize(first_scan);
@@ -129,6 +129,7 @@ void GrowingMap::forget_last_session() {
   while (num_keyframes > 0 && track_.keyframes[num_keyframes - 1]->scan_index >= first_scan) {
     --num_keyframes;
   }
+  std::erase_if(gaps_, [&](const ForgottenPoses& gap) { return gap.next_scan >= first_scan; });
   track_.keyframes.resize(num_keyframes);
   track_.motions.resize(num_keyframes);
   track_.stretches.resize(num_keyframes);
@@ -169,7 +170,7 @@ void GrowingMap::add(TrackStep&& step) {
   if (is_session_waiting_) open_session();
   const std::size_t index = scans_.size();
   if (T_odom_tracked_ != Pose2{}) take_drift_off(step);
-  scans_.push_back(step.scan);
+  scans_.add(step.scan);
   ++sessions_.back().num_scans;
   if (step.keyframe && step.keyframe->keyframe->scan_index != index) {
     // Tracking counts from the begin of its log.
@@ -179,13 +180,13 @@ void GrowingMap::add(TrackStep&& step) {
   }
   if (step.kept) kept_scans_.push_back({index, std::move(step.kept)});
   if (!step.keyframe) return;
-  const bool is_restart = step.scan.tracked.is_restart;
+  const bool is_restart = step.scan.is_restart;
   const bool is_tied = step.keyframe->motion.has_odometry;
   add_keyframe(std::move(*step.keyframe), {is_restart, is_restart && !is_tied});
 }
 
 void GrowingMap::take_drift_off(TrackStep& step) const {
-  move_to_odom(T_odom_tracked_ * step.scan.tracked.T_odom_sensor, step.scan);
+  move_to_odom(T_odom_tracked_ * step.scan.T_odom_sensor, step.scan);
   if (!step.keyframe) return;
   TrackedKeyframe& tracked = *step.keyframe;
   tracked.keyframe = moved_to_odom(
@@ -239,6 +240,7 @@ void GrowingMap::forget_known(std::span<const double> headings_rad) {
   const std::vector<std::size_t> kept =
       keyframes_to_keep(track_, known_.places(), revisits_in(graph, closer_), params_.forgetting);
   if (kept.size() == track_.size()) return;
+  settled_.reset();  // It names keyframes.
   num_forgotten_ += track_.size() - kept.size();
   hang_forgotten(track_, kept, known_.places(), hung_scans_);
   const std::vector<Pose2> T_map_sensor = poses_of_known(track_, known_.places(), graph.T_map_node);
@@ -251,6 +253,20 @@ void GrowingMap::forget_known(std::span<const double> headings_rad) {
   turn_checks_.keep_only(kept);
   closer_.keep_only(kept, track_);
   known_.keep_only(kept);
+  if (params_.forgetting.max_known_poses > 0) forget_oldest_poses();
+}
+
+void GrowingMap::forget_oldest_poses() {
+  const std::vector<KnownScans> excess =
+      oldest_known_scans(track_, hung_scans_, params_.forgetting.max_known_poses);
+  for (auto range = excess.rbegin(); range != excess.rend(); ++range) {
+    const std::size_t num_gone = range->end - range->first;
+    add_gap(*range, scans_, gaps_);
+    scans_.erase(range->first, range->end);
+    sessions_.back().num_scans -= num_gone;
+    renumber_behind(*range, track_, kept_scans_, hung_scans_);
+    known_.renumber(range->end, num_gone);
+  }
 }
 
 // --- Maps that are gone on with ------------------------------------------------------------------
@@ -259,9 +275,10 @@ bool GrowingMap::holds(const Map& map, const MapSession& session) const {
   return std::ranges::any_of(sessions_, [&](const MapSession& known) {
     if (known.num_scans != session.num_scans) return false;
     for (std::size_t i = 0; i < session.num_scans; ++i) {
-      const TrackedScan& scan = scans_[known.first_scan + i];
-      if (scan.stamp != map.scans[session.first_scan + i].stamp ||
-          scan.tracked.T_odom_sensor != map.track.T_odom_sensor[session.first_scan + i]) {
+      const std::size_t here = known.first_scan + i;
+      const std::size_t there = session.first_scan + i;
+      if (scans_.stamp(here) != map.scans[there].stamp ||
+          scans_.T_odom_sensor(here) != map.track.T_odom_sensor[there]) {
         return false;
       }
     }
@@ -308,12 +325,17 @@ void GrowingMap::add_session(const Map& map, const MapSession& session) {
     const auto whole = kept.find(i);
     const Pose2 T_base_sensor = whole != kept.end() ? whole->second->T_base_sensor
                                                     : scan.T_map_base.inverse() * scan.T_map_sensor;
-    scans_.push_back(tracked_scan(scan, map.track.T_odom_sensor[i], T_base_sensor));
+    scans_.add(tracked_scan(scan, map.track.T_odom_sensor[i], T_base_sensor));
   }
   sessions_.back().num_scans = session.num_scans;
   add_keyframes(map, session, kept);
   for (const auto& [index, scan] : kept) {
     kept_scans_.push_back({index - session.first_scan + sessions_.back().first_scan, scan});
+  }
+  for (ForgottenPoses gap : map.forgotten_poses) {
+    if (gap.next_scan < session.first_scan || gap.next_scan >= end) continue;
+    gap.next_scan = gap.next_scan - session.first_scan + sessions_.back().first_scan;
+    gaps_.push_back(gap);
   }
 }
 
@@ -359,13 +381,14 @@ void GrowingMap::date_by_stamps() {
   };
   std::vector<Span> spans;
   for (std::size_t s = 0; s < sessions_.size(); ++s) {
-    const MapSession& session = sessions_[s];
-    const auto begin = scans_.begin() + static_cast<std::ptrdiff_t>(session.first_scan);
-    const auto end = begin + static_cast<std::ptrdiff_t>(session.num_scans);
-    const auto [low, high] = std::minmax_element(
-        begin, end, [](const TrackedScan& a, const TrackedScan& b) { return a.stamp < b.stamp; });
-    if (low == end) return;
-    spans.push_back({low->stamp, high->stamp, s});
+    const auto& [first_scan, num_scans, recency, search] = sessions_[s];
+    if (num_scans == 0) return;
+    Span span{scans_.stamp(first_scan), scans_.stamp(first_scan), s};
+    for (std::size_t i = first_scan; i < first_scan + num_scans; ++i) {
+      span.first = std::min(span.first, scans_.stamp(i));
+      span.last = std::max(span.last, scans_.stamp(i));
+    }
+    spans.push_back(span);
   }
   std::ranges::sort(spans, {}, &Span::first);
   for (std::size_t i = 1; i < spans.size(); ++i) {
@@ -377,6 +400,15 @@ void GrowingMap::date_by_stamps() {
 // --- The map -------------------------------------------------------------------------------------
 
 Map GrowingMap::make(const SensorReports& sensors) const {
+  return made(sensors, [](const MapMaker& maker) { return maker.make(); });
+}
+
+Map GrowingMap::make_next(const SensorReports& sensors) {
+  return made(sensors, [&](const MapMaker& maker) { return maker.make_next(settled_); });
+}
+
+template <typename MakeOf>
+Map GrowingMap::made(const SensorReports& sensors, const MakeOf& make_of) const {
   SensorReports told = sensors;
   if (known_sensors_ && is_session_waiting_) {
     told = *known_sensors_;
@@ -384,35 +416,39 @@ Map GrowingMap::make(const SensorReports& sensors) const {
     told.num_with_odometry += known_sensors_->num_with_odometry;
   }
   std::span<const MapSession> sessions = sessions_;
-  std::span<const TrackedScan> scans = scans_;
+  std::size_t num_scans = scans_.size();
   std::span<const KeptScan> kept = kept_scans_;
   if (sessions.size() > 1 && is_last_session_empty()) {
-    scans = scans.first(sessions.back().first_scan);
-    kept = kept.first(num_kept_before(kept, scans.size()));
+    num_scans = sessions.back().first_scan;
+    kept = kept.first(num_kept_before(kept, num_scans));
     sessions = sessions.first(sessions.size() - 1);
   }
   if (track_.size() == 0) {
-    Map map = assemble_map({.scans = scans,
+    Map map = assemble_map({.scans = scans_,
+                            .num_scans = num_scans,
                             .kept_scans = kept,
                             .track = track_,
                             .shares_of_place = shares_of_place_,
-                            .sessions = sessions});
+                            .sessions = sessions,
+                            .gaps = gaps_});
     write_sensors(told, map);
     map.num_forgotten = num_forgotten_;
     return map;
   }
-  const TrackedLog log{.scans = scans,
+  const TrackedLog log{.scans = scans_,
+                       .num_scans = num_scans,
                        .kept_scans = kept,
                        .track = track_,
                        .shares_of_place = shares_of_place_,
                        .hung_scans = hung_scans_,
                        .sessions = sessions,
+                       .gaps = gaps_,
                        .anchors = anchors_,
                        .evidence = evidence_,
                        .turn_checks = turn_checks_,
                        .closer = closer_,
                        .add_sensors = [&](Map& map) { write_sensors(told, map); }};
-  Map map = MapMaker(log, params_).make();
+  Map map = make_of(MapMaker(log, params_));
   map.num_forgotten = num_forgotten_;
   return map;
 }

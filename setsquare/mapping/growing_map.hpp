@@ -18,6 +18,7 @@
 #include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/map_maker.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/tracked_scans.hpp"
 #include "setsquare/mapping/turn_checks.hpp"
 
 namespace setsquare {
@@ -57,6 +58,9 @@ class GrowingMap {
   /// The map of all so far; more may follow. `sensors`: what those of the log that is tracked
   /// turned out to be. Until it has a scan here, the map tells those of the first map.
   [[nodiscard]] Map make(const SensorReports& sensors) const;
+  /// The same for one of several on the way, sooner: pieces that have been joined stay where they
+  /// are, and only the loops that came since are closed (MapMaker::make_next).
+  [[nodiscard]] Map make_next(const SensorReports& sensors);
 
   /// Scans mapped.
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
@@ -70,6 +74,9 @@ class GrowingMap {
     bool piece = false;
   };
 
+  /// `make_of`: makes the map of what was tracked.
+  template <typename MakeOf>
+  [[nodiscard]] Map made(const SensorReports& sensors, const MakeOf& make_of) const;
   void add(TrackStep&& step);
   /// Drift that forgetting has taken off what came before.
   void take_drift_off(TrackStep& step) const;
@@ -80,6 +87,8 @@ class GrowingMap {
   void close_while_growing();
   /// `headings_rad`: one per keyframe.
   void forget_known(std::span<const double> headings_rad);
+  /// Of known ground, more poses than are wanted.
+  void forget_oldest_poses();
 
   [[nodiscard]] bool holds(const Map& map, const MapSession& session) const;
   void add_session(const Map& map, const MapSession& session);
@@ -99,7 +108,7 @@ class GrowingMap {
   std::vector<MapSession> sessions_;
   bool is_session_waiting_ = true;
   bool is_map_coming_ = false;  ///< A map's sessions are being added: they stay as they are.
-  std::vector<TrackedScan> scans_;
+  TrackedScans scans_;
   std::vector<KeptScan> kept_scans_;
   KeyframeTrack track_;
   std::vector<double> shares_of_place_;  ///< One per keyframe.
@@ -108,7 +117,9 @@ class GrowingMap {
   TurnChecks turn_checks_;
   LoopCloser closer_;
   KnownKeyframes known_;
+  std::optional<SettledLoops> settled_;   ///< By a map on the way.
   std::vector<HungScan> hung_scans_;      ///< Of the keyframes that were forgotten, in their order.
+  std::vector<ForgottenPoses> gaps_;      ///< Where poses were forgotten.
   std::size_t num_forgotten_ = 0;         ///< Keyframes, ...
   std::size_t num_forgotten_before_ = 0;  ///< ... and of these, by the maps that are gone on with.
   Pose2 T_odom_tracked_;                  ///< From tracking's frame: forgetting takes drift off.

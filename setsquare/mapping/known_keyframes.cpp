@@ -132,6 +132,12 @@ void KnownKeyframes::keep_only(std::span<const std::size_t> kept) {
   places_.resize(kept.size());
 }
 
+void KnownKeyframes::renumber(std::size_t end, std::size_t num_gone) {
+  for (std::optional<KnownPlace>& place : places_) {
+    if (place && place->reference_scan >= end) place->reference_scan -= num_gone;
+  }
+}
+
 std::vector<Pose2> poses_of_known(const KeyframeTrack& track,
                                   std::span<const std::optional<KnownPlace>> places,
                                   std::span<const Pose2> T_map_sensor) {

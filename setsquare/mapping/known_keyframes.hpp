@@ -39,6 +39,8 @@ class KnownKeyframes {
 
   /// Of the keyframes only those of these indices, which ascend, are left.
   void keep_only(std::span<const std::size_t> kept);
+  /// So many scans before scan `end` are gone: those behind are numbered anew.
+  void renumber(std::size_t end, std::size_t num_gone);
 
  private:
   ForgettingParams params_;

@@ -80,8 +80,19 @@ TrackedPose LogTracker::place_cleared(const Scan& scan,
   TrackStep& step = steps.emplace_back();
   const TrackedPose tracked = tracker_.track(scan, T_wheels_base);
   const double open_sigma_m = uncertainty_.add(tracked, {scan.scanner, scan.stamp});
-  step.scan = {
-      scan.stamp, tracked, scan.T_base_sensor, open_sigma_m, uncertainty_.open_turn_sigma_rad()};
+  step.scan = {.stamp = scan.stamp,
+               .status = tracked.status,
+               .has_odometry = tracked.has_odometry,
+               .is_restart = tracked.is_restart,
+               .is_same_again = tracked.is_same_again,
+               .score = static_cast<float>(tracked.score),
+               .T_odom_sensor = tracked.T_odom_sensor,
+               .T_base_sensor = scan.T_base_sensor,
+               .open = {.direction = tracked.open.direction,
+                        .sigma_m = open_sigma_m,
+                        .is_turn_open = tracked.turn_bound_share < 1.0,
+                        .turn_sigma_rad = uncertainty_.open_turn_sigma_rad(),
+                        .turn_motion_m = tracked.turn_motion_m}};
   const bool is_kept = kept_.takes(tracked, scan.scanner);
   if (tracked.is_keyframe) {
     const KeyframePtr& keyframe = tracker_.submap().back();

@@ -10,11 +10,11 @@
 
 #include "setsquare/map/map.hpp"
 #include "setsquare/mapping/kept_scans.hpp"
-#include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/robot_part_search.hpp"
 #include "setsquare/mapping/scanners/scanners.hpp"
 #include "setsquare/mapping/sweep_search.hpp"
+#include "setsquare/mapping/tracked_scans.hpp"
 #include "setsquare/mapping/unjudged_inputs.hpp"
 #include "setsquare/tracking/motion_uncertainty.hpp"
 #include "setsquare/tracking/odometry_watch.hpp"

@@ -24,8 +24,8 @@ ClosureAxes axes_of(const ComparedPlaces& places, const PoseGraph& graph) {
 
 std::vector<MapSession> sessions_of(const MapParts& parts) {
   if (!parts.sessions.empty()) return {parts.sessions.begin(), parts.sessions.end()};
-  if (parts.scans.empty()) return {};
-  return {{.first_scan = 0, .num_scans = parts.scans.size(), .search = {}}};
+  if (parts.num_scans == 0) return {};
+  return {{.first_scan = 0, .num_scans = parts.num_scans, .search = {}}};
 }
 
 /// Appends the scans that hang on keyframes and come before `end_scan`, from the `next` one on.
@@ -46,7 +46,7 @@ void append_hung(const MapParts& parts,
 std::vector<Pose2> poses_of_scans(const MapParts& parts, const std::vector<MapSession>& sessions) {
   const KeyframeTrack& track = parts.track;
   std::vector<Pose2> T_map_sensor;
-  T_map_sensor.reserve(parts.scans.size());
+  T_map_sensor.reserve(parts.num_scans);
   std::size_t k = 0;
   std::size_t next_hung = 0;
   for (const MapSession& session : sessions) {
@@ -61,8 +61,8 @@ std::vector<Pose2> poses_of_scans(const MapParts& parts, const std::vector<MapSe
     }
     std::vector<Pose2> T_odom_sensor;
     T_odom_sensor.reserve(session.num_scans);
-    for (const TrackedScan& scan : parts.scans.subspan(session.first_scan, session.num_scans)) {
-      T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
+    for (std::size_t i = session.first_scan; i < end; ++i) {
+      T_odom_sensor.push_back(parts.scans.T_odom_sensor(i));
     }
     const std::vector<Pose2> of_session = assemble_track(T_odom_sensor, keyframes);
     T_map_sensor.insert(T_map_sensor.end(), of_session.begin(), of_session.end());
@@ -73,9 +73,9 @@ std::vector<Pose2> poses_of_scans(const MapParts& parts, const std::vector<MapSe
 /// What the map keeps of the track, to go on with.
 void add_track(const MapParts& parts, Map& map) {
   const KeyframeTrack& track = parts.track;
-  map.track.T_odom_sensor.reserve(parts.scans.size());
-  for (const TrackedScan& scan : parts.scans) {
-    map.track.T_odom_sensor.push_back(scan.tracked.T_odom_sensor);
+  map.track.T_odom_sensor.reserve(parts.num_scans);
+  for (std::size_t i = 0; i < parts.num_scans; ++i) {
+    map.track.T_odom_sensor.push_back(parts.scans.T_odom_sensor(i));
   }
   for (std::size_t k = 0; k < track.size(); ++k) {
     map.track.motions.push_back(
@@ -88,7 +88,7 @@ void add_track(const MapParts& parts, Map& map) {
 
 /// Whether the robot went farther, or turned more, from one scan to another than it would in a
 /// step.
-bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step) {
+bool has_moved(const TrackedScan& from, const TrackedScan& to, const Pose2& step) {
   constexpr double kMoved_m = 0.1;
   constexpr double kMoved_rad = rad_from_deg(2.0);
   constexpr double kSteps = 1.5;
@@ -100,32 +100,32 @@ bool has_moved(const TrackedPose& from, const TrackedPose& to, const Pose2& step
 
 /// How far the robot would go from the last repeat of a scan to the next scan, `end`, as fast as it
 /// was before the scan that is repeated from `first` on.
-Pose2 step_behind(std::span<const TrackedScan> scans, std::size_t first, std::size_t end) {
-  const TrackedScan& repeated = scans[first - 1];
-  std::size_t before = first - 1;
+Pose2 step_behind(const TrackedScans& scans, std::size_t first, std::size_t end) {
+  const std::size_t repeated = first - 1;
+  std::size_t before = repeated;
   if (before > 0) --before;
-  while (before > 0 && scans[before].tracked.is_same_again) --before;
-  const Pose2 step = scans[before].tracked.T_odom_sensor.inverse() * repeated.tracked.T_odom_sensor;
-  const double step_s = seconds_between(scans[before].stamp, repeated.stamp);
-  const double behind_s = seconds_between(scans[end - 1].stamp, scans[end].stamp);
+  while (before > 0 && scans.is_same_again(before)) --before;
+  const Pose2 step = scans.T_odom_sensor(before).inverse() * scans.T_odom_sensor(repeated);
+  const double step_s = seconds_between(scans.stamp(before), scans.stamp(repeated));
+  const double behind_s = seconds_between(scans.stamp(end - 1), scans.stamp(end));
   const double share = step_s > 0.0 && behind_s > 0.0 ? std::min(1.0, behind_s / step_s) : 1.0;
   return {share * step.x_m, share * step.y_m, share * step.theta_rad};
 }
 
 /// Repeated scans that tell nothing of where the robot was: behind them it is elsewhere, or nothing
 /// is, for seconds. Where it is found where it was, it stood, and its scanner has no noise.
-std::vector<bool> unseen_repeats(std::span<const TrackedScan> scans) {
+std::vector<bool> unseen_repeats(const TrackedScans& scans, std::size_t num_scans) {
   constexpr double kLongest_s = 3.0;
-  std::vector<bool> is_unseen(scans.size(), false);
-  for (std::size_t first = 1; first < scans.size(); ++first) {
-    if (!scans[first].tracked.is_same_again) continue;
+  std::vector<bool> is_unseen(num_scans, false);
+  for (std::size_t first = 1; first < num_scans; ++first) {
+    if (!scans.is_same_again(first)) continue;
     std::size_t end = first;
-    while (end < scans.size() && scans[end].tracked.is_same_again) ++end;
-    bool is_unknown = seconds_between(scans[first].stamp, scans[end - 1].stamp) > kLongest_s;
-    if (end < scans.size()) {
-      const TrackedPose& behind = scans[end].tracked;
+    while (end < num_scans && scans.is_same_again(end)) ++end;
+    bool is_unknown = seconds_between(scans.stamp(first), scans.stamp(end - 1)) > kLongest_s;
+    if (end < num_scans) {
+      const TrackedScan behind = scans[end];
       is_unknown = behind.status == TrackStatus::kLost || behind.is_restart ||
-                   has_moved(scans[first].tracked, behind, step_behind(scans, first, end));
+                   has_moved(scans[first], behind, step_behind(scans, first, end));
     }
     std::fill_n(is_unseen.begin() + static_cast<std::ptrdiff_t>(first), end - first, is_unknown);
     first = end;
@@ -135,22 +135,22 @@ std::vector<bool> unseen_repeats(std::span<const TrackedScan> scans) {
 
 void add_scans(const MapParts& parts, Map& map) {
   const std::vector<Pose2> T_map_sensor = poses_of_scans(parts, map.sessions);
-  const std::vector<bool> is_unseen = unseen_repeats(parts.scans);
-  map.scans.reserve(parts.scans.size());
-  for (std::size_t i = 0; i < parts.scans.size(); ++i) {
-    const TrackedScan& scan = parts.scans[i];
-    const double to_map_rad = T_map_sensor[i].theta_rad - scan.tracked.T_odom_sensor.theta_rad;
+  const std::vector<bool> is_unseen = unseen_repeats(parts.scans, parts.num_scans);
+  map.scans.reserve(parts.num_scans);
+  for (std::size_t i = 0; i < parts.num_scans; ++i) {
+    const TrackedScan scan = parts.scans[i];
+    const double to_map_rad = T_map_sensor[i].theta_rad - scan.T_odom_sensor.theta_rad;
     const Eigen::Rotation2Dd to_map(to_map_rad);
     map.scans.push_back({.stamp = scan.stamp,
-                         .status = is_unseen[i] ? TrackStatus::kLost : scan.tracked.status,
+                         .status = is_unseen[i] ? TrackStatus::kLost : scan.status,
                          .T_map_sensor = T_map_sensor[i],
                          .T_map_base = T_map_sensor[i] * scan.T_base_sensor.inverse(),
-                         .score = scan.tracked.score,
-                         .has_odometry = scan.tracked.has_odometry,
-                         .open_sigma_m = scan.open_sigma_m * (to_map * scan.tracked.open.direction),
-                         .is_turn_open = scan.tracked.turn_bound_share < 1.0,
-                         .open_turn_sigma_rad = scan.open_turn_sigma_rad,
-                         .open_turn_motion_m = to_map * scan.tracked.turn_motion_m});
+                         .score = scan.score,
+                         .has_odometry = scan.has_odometry,
+                         .open_sigma_m = scan.open.sigma_m * (to_map * scan.open.direction),
+                         .is_turn_open = scan.open.is_turn_open,
+                         .open_turn_sigma_rad = scan.open.turn_sigma_rad,
+                         .open_turn_motion_m = to_map * scan.open.turn_motion_m});
   }
   for (const TrackPiece& piece : map.pieces) {
     for (std::size_t i = 0; i < piece.num_scans; ++i) {
@@ -189,13 +189,14 @@ Map assemble_map(const MapParts& parts) {
     map.keyframes.push_back(keyframe->scan_index);
   }
   map.sessions = sessions_of(parts);
-  map.pieces = pieces_of(parts.track, parts.is_joined, parts.scans.size(), map.sessions);
+  map.pieces = pieces_of(parts.track, parts.is_joined, parts.num_scans, map.sessions);
   add_scans(parts, map);
   add_track(parts, map);
   add_headings(parts.headings, map);
   map.closures = mapped_closures(parts.track, parts.compared, parts.graph);
   map.graph = graph_of_base(parts.track, parts.graph);
   map.kept_scans.assign(parts.kept_scans.begin(), parts.kept_scans.end());
+  map.forgotten_poses.assign(parts.gaps.begin(), parts.gaps.end());
   return map;
 }
 

@@ -11,28 +11,21 @@
 #include "setsquare/map/map.hpp"
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/loops/verdict.hpp"
-#include "setsquare/tracking/tracked_pose.hpp"
+#include "setsquare/mapping/tracked_scans.hpp"
 
 namespace setsquare {
 
-/// What the mapper keeps of each scan.
-struct TrackedScan {
-  Timestamp stamp;
-  TrackedPose tracked;
-  Pose2 T_base_sensor;
-  double open_sigma_m = 0.0;  ///< MotionUncertainty::add().
-  double open_turn_sigma_rad = 0.0;
-};
-
 /// All that a map is made of; everything must outlive the call. Poses are those of the sensors.
 struct MapParts {
-  std::span<const TrackedScan> scans;
+  const TrackedScans& scans;
+  std::size_t num_scans = 0;  ///< The first ones, of which the map is made.
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
   std::span<const double> shares_of_place = {};  ///< One per keyframe.
   /// In their order: scans of keyframes that were forgotten.
   std::span<const HungScan> hung_scans = {};
   std::span<const MapSession> sessions = {};  ///< One of all scans where there are none.
+  std::span<const ForgottenPoses> gaps = {};  ///< Map::forgotten_poses.
   FusedHeadings headings = {};
   std::span<const ComparedPlaces> compared = {};
   std::vector<bool> is_joined = {};  ///< One per piece of the track.

@@ -157,21 +157,43 @@ std::size_t next_closing(std::size_t num_closed, const MapperParams& params) {
   return num_closed + std::max(params.min_closing_growth, growth);
 }
 
-Map MapMaker::make() const {
+template <typename Close>
+Map MapMaker::make_of(const Close& close) const {
   try {
-    return closed_map();
+    return map_closed_by(close());
   } catch (const Error& error) {
     return track_alone(error.what());
   }
 }
 
+Map MapMaker::make() const {
+  return make_of([&] {
+    if (log_.track.pieces.back() == 0) return close_one_piece();
+    TurnChecks checks = log_.turn_checks;
+    return close_across_pieces(LoopCloser(params_.closing), checks);
+  });
+}
+
+Map MapMaker::make_next(std::optional<SettledLoops>& settled) const {
+  return make_of([&] {
+    if (log_.track.pieces.back() == 0) return close_one_piece();
+    if (settled && is_settled(*settled)) return close_further(*settled);
+    TurnChecks checks = settled ? std::move(settled->turn_checks) : log_.turn_checks;
+    Closed closed = close_across_pieces(closer_of_first_session(), checks);
+    settled = {closed.joined, closed.closer, std::move(checks)};
+    return closed;
+  });
+}
+
 MapParts MapMaker::parts_of_log() const {
   return {.scans = log_.scans,
+          .num_scans = log_.num_scans,
           .kept_scans = log_.kept_scans,
           .track = log_.track,
           .shares_of_place = log_.shares_of_place,
           .hung_scans = log_.hung_scans,
-          .sessions = log_.sessions};
+          .sessions = log_.sessions,
+          .gaps = log_.gaps};
 }
 
 Map MapMaker::track_alone(const std::string& reason) const {
@@ -205,8 +227,7 @@ Map MapMaker::track_alone(const std::string& reason) const {
   return map;
 }
 
-Map MapMaker::closed_map() const {
-  Closed closed = log_.track.pieces.back() > 0 ? close_across_pieces() : close_one_piece();
+Map MapMaker::map_closed_by(Closed closed) const {
   Map map = map_of(closed);
   if (params_.anywhere.is_on) close_anywhere(closed, map);
   if (params_.audit.is_on) audit_and_mend(closed, map);
@@ -223,20 +244,42 @@ MapMaker::Closed MapMaker::close_one_piece() const {
   return closed;
 }
 
-MapMaker::Closed MapMaker::close_across_pieces() const {
-  TurnChecks checks = log_.turn_checks;
+MapMaker::Closed MapMaker::close_across_pieces(LoopCloser closer, TurnChecks& checks) const {
   const FusedHeadings apart = checks.fuse(log_.track, log_.evidence, params_.heading);
   const PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
   JoinedPieces joined = join_pieces(
       log_.track, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
   Closed closed{.turn_checks = std::move(checks),
                 .headings = {},
-                .closer = LoopCloser(params_.closing),
+                .closer = std::move(closer),
                 .joined = std::move(joined)};
   closed.headings = closed.turn_checks.fuse(log_.track, evidence_in(closed), params_.heading);
   closed.closer.add_joints(closed.joined.joints);
   close_all_loops(closed);
   return closed;
+}
+
+bool MapMaker::is_settled(const SettledLoops& settled) const {
+  const std::vector<bool>& is_joined = settled.joined.is_joined;
+  return is_joined.size() == log_.track.pieces.back() + 1 &&
+         std::ranges::all_of(is_joined, [](bool joined) { return joined; });
+}
+
+MapMaker::Closed MapMaker::close_further(SettledLoops& settled) const {
+  const std::vector<HeadingEvidence> evidence =
+      evidence_of_joined(log_.evidence, log_.track, settled.joined);
+  Closed closed{.headings = settled.turn_checks.fuse(log_.track, evidence, params_.heading),
+                .closer = settled.closer,
+                .joined = settled.joined};
+  close_loops(log_.track, closed.headings.heading_rad, log_.track.size(), params_, closed.closer);
+  settled.closer = closed.closer;
+  return closed;
+}
+
+LoopCloser MapMaker::closer_of_first_session() const {
+  const auto& begins = log_.track.session_begins;
+  const bool is_one_piece = !begins.empty() && log_.track.pieces[begins.front() - 1] == 0;
+  return is_one_piece ? log_.closer : LoopCloser(params_.closing);
 }
 
 Map MapMaker::map_of(const Closed& closed) const {
@@ -363,7 +406,7 @@ std::vector<MapMaker::Closed> MapMaker::closed_with_turns(
 }
 
 void MapMaker::close_all_loops(Closed& closed) const {
-  for (std::size_t end = 0; end < log_.track.size();) {
+  for (std::size_t end = closed.closer.num_looked_at(); end < log_.track.size();) {
     end = std::min(next_closing(end, params_), log_.track.size());
     close_loops(log_.track, closed.headings.heading_rad, end, params_, closed.closer);
   }

@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -54,12 +55,14 @@ struct AnchoredKeyframe {
 /// What was tracked and found on the way, of which a map is made. Everything must outlive the maker
 /// of the map.
 struct TrackedLog {
-  std::span<const TrackedScan> scans;
+  const TrackedScans& scans;
+  std::size_t num_scans = 0;  ///< The first ones, of which the map is made.
   std::span<const KeptScan> kept_scans;
   const KeyframeTrack& track;
   std::span<const double> shares_of_place;  ///< One per keyframe.
   std::span<const HungScan> hung_scans;     ///< Of forgotten keyframes, in their order.
   std::span<const MapSession> sessions;
+  std::span<const ForgottenPoses> gaps;  ///< Where poses were forgotten.
   /// The map's frame is the one in which these lie, as well as can be, where they lay. Empty: the
   /// first keyframe stands at the origin.
   const std::vector<AnchoredKeyframe>& anchors;
@@ -67,6 +70,14 @@ struct TrackedLog {
   const TurnChecks& turn_checks;                 ///< As far as turns have been checked.
   const LoopCloser& closer;                      ///< As far as loops have been closed.
   std::function<void(Map&)> add_sensors;         ///< Writes what the sensors turned out to be.
+};
+
+/// What a map settled, for the next one of the same track when it has grown: where pieces of track
+/// lie, which loops are closed, what matches say of turns.
+struct SettledLoops {
+  JoinedPieces joined;
+  LoopCloser closer;
+  TurnChecks turn_checks;
 };
 
 /// Makes the map of a track.
@@ -83,6 +94,10 @@ class MapMaker {
   /// Where the loops cannot be closed or the graph cannot be solved, for its figures are beyond
   /// what can be computed, the track as it was driven, with that doubt: nothing tracked is lost.
   [[nodiscard]] Map make() const;
+  /// One of several on the way: what an earlier one settled is not looked for again. The maps are
+  /// not those that make() gives, to the last digit; each is as good. Where pieces are still to be
+  /// joined, or more have come, nothing is settled.
+  [[nodiscard]] Map make_next(std::optional<SettledLoops>& settled) const;
 
  private:
   /// The headings and loops of the whole track.
@@ -93,16 +108,26 @@ class MapMaker {
     JoinedPieces joined;
   };
 
-  [[nodiscard]] Map closed_map() const;
+  /// The map, or the track alone where it throws; `close`: the loops.
+  template <typename Close>
+  [[nodiscard]] Map make_of(const Close& close) const;
+  [[nodiscard]] Map map_closed_by(Closed closed) const;
   /// What every map of this log is made of, before it is closed.
   [[nodiscard]] MapParts parts_of_log() const;
   /// The map without any loop, its spreads unknown; `reason`: why.
   [[nodiscard]] Map track_alone(const std::string& reason) const;
   /// Tracks of one piece: the loops that are left to close.
   [[nodiscard]] Closed close_one_piece() const;
-  /// Joins the pieces of the track, by quarter turns of the headings, and closes all loops again.
-  [[nodiscard]] Closed close_across_pieces() const;
-  /// From the first keyframe on, as the track grows.
+  /// Joins the pieces of the track, by quarter turns of the headings, and closes the loops that
+  /// `closer` has not: one of none closes all again.
+  [[nodiscard]] Closed close_across_pieces(LoopCloser closer, TurnChecks& checks) const;
+  /// Of pieces that were joined, the loops that are left to close.
+  [[nodiscard]] Closed close_further(SettledLoops& settled) const;
+  [[nodiscard]] bool is_settled(const SettledLoops& settled) const;
+  /// Where pieces are joined for the first time: the loops of the first session, if it is one
+  /// piece.
+  [[nodiscard]] LoopCloser closer_of_first_session() const;
+  /// From where the closer ended, as the track grows.
   void close_all_loops(Closed& closed) const;
   /// All loops closed again along its headings, with those that the hypotheses tell.
   [[nodiscard]] Closed closed_with(const Closed& closed,

@@ -166,6 +166,10 @@ struct ForgettingParams {
   /// The motion over a run is known at least so well, for both its ends are in known places.
   double known_sigma_m = 0.5;
   double known_sigma_rad = rad_from_deg(2.0);  ///< See known_sigma_m.
+  /// So many of the newest scans between keyframes that were forgotten keep their poses, the others
+  /// are left out of the map (Map::forgotten_poses): then its memory does not grow with the time at
+  /// all. 0: every scan keeps its pose.
+  std::size_t max_known_poses = 0;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -104,7 +104,7 @@ OpenStretch stretch_from(const Map& track, std::size_t first, std::size_t end) {
       stretch.heading_sigma_rad =
           std::max(stretch.heading_sigma_rad, track.scans[i].heading_sigma_rad);
     }
-    if (i == 0 || begins_later_session(track, i)) continue;
+    if (i == 0 || begins_anew(track, i)) continue;
     const Eigen::Vector2d step =
         track.scans[i].T_map_base.translation() - track.scans[i - 1].T_map_base.translation();
     const double double_angle_rad = 2.0 * std::atan2(step.y(), step.x());
@@ -153,7 +153,7 @@ void widen_lost(const Map& track,
   double sum_rad = 0.0;
   for (std::size_t i = 0; i < of_scan.size(); ++i) {
     const MappedScan& scan = track.scans[i];
-    if (begins_later_session(track, i)) sum_m = sum_rad = 0.0;
+    if (begins_anew(track, i)) sum_m = sum_rad = 0.0;
     if (scan.status != TrackStatus::kLost) {
       sum_m = sum_rad = 0.0;
       continue;
@@ -265,7 +265,7 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, doub
       return scan < n && track.scans[scan].status == TrackStatus::kDegenerate;
     };
     if (is_open(end)) ++end;
-    while (end > first && is_open(end) && !begins_later_session(track, end)) ++end;
+    while (end > first && is_open(end) && !begins_anew(track, end)) ++end;
     if (end > first) {
       const OpenStretch stretch = stretch_from(track, first, end);
       const bool may_be_long = !stretch.has_odometry && stretch.duration_s > kShortest_s;

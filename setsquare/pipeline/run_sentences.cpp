@@ -194,6 +194,23 @@ std::vector<std::string> sentences_on_sessions(const Map& map) {
   return sentences;
 }
 
+std::vector<std::string> sentences_on_forgotten(const MapSummary& summary) {
+  std::vector<std::string> sentences;
+  if (summary.num_forgotten > 0) {
+    sentences.push_back(fmt::format(
+        "forgotten: {} keyframes of places that were covered before, and showed nothing new",
+        summary.num_forgotten));
+  }
+  if (summary.num_forgotten_poses > 0) {
+    sentences.push_back(
+        fmt::format("forgotten: the poses of {} scans there, the oldest; the {} scans of the map "
+                    "have theirs",
+                    summary.num_forgotten_poses,
+                    summary.num_scans));
+  }
+  return sentences;
+}
+
 std::string sentence_on(const SweepReport& sweep) {
   const std::string length = fmt::format("{:.3f} s from a scan's {} beam to its {}",
                                          std::abs(sweep.sweep_s),

@@ -9,6 +9,7 @@
 
 #include "setsquare/map/gyro_report.hpp"
 #include "setsquare/map/map.hpp"
+#include "setsquare/map/map_summary.hpp"
 #include "setsquare/map/mapped_scanner.hpp"
 #include "setsquare/map/odometry_report.hpp"
 #include "setsquare/map/sweep_report.hpp"
@@ -27,6 +28,10 @@ namespace setsquare {
 
 /// Why a session could not be joined to the map, by how it went when it was looked for.
 [[nodiscard]] std::string reason_apart(const SessionSearch& search);
+
+/// What of places that several visits have covered was forgotten, one sentence each: keyframes,
+/// poses.
+[[nodiscard]] std::vector<std::string> sentences_on_forgotten(const MapSummary& summary);
 
 /// The same of a gyro that the log holds.
 [[nodiscard]] std::string sentence_on(const GyroReport& gyro);

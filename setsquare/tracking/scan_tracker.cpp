@@ -13,6 +13,7 @@
 #include "setsquare/tracking/arrived_scan.hpp"
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
+#include "setsquare/tracking/submap_answer.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
 #include "setsquare/tracking/sudden_turn.hpp"
 #include "setsquare/tracking/sweep_turns.hpp"
@@ -397,7 +398,7 @@ TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
       problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
   SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
   if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
-  return answer_from(fit);
+  return answer_of(fit, params_.refinement);
 }
 
 std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem& problem,
@@ -417,7 +418,8 @@ std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem&
     try_heading(vote.T_odom_sensor.theta_rad);
     try_heading(vote.T_odom_sensor.theta_rad + kPi);
   }
-  if (!is_open(best) || best.alignment.score() < params_.recovery.below_score_if_open) {
+  if (!is_open(best, params_.refinement) ||
+      best.alignment.score() < params_.recovery.below_score_if_open) {
     return std::nullopt;
   }
   return TrackedPose{.status = TrackStatus::kDegenerate,
@@ -438,34 +440,14 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
   if (fit.open.effective_points < params_.corridor.below_effective_points) {
     fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
   }
-  TrackedPose tracked = answer_from(fit);
+  TrackedPose tracked = answer_of(fit, params_.refinement);
   if (is_recovered) tracked.status = TrackStatus::kRecovered;
   return tracked;
 }
 
-TrackedPose ScanTracker::answer_from(const SubmapFit& fit) const {
-  TrackedPose tracked{.status = is_open(fit) ? TrackStatus::kDegenerate : TrackStatus::kTracked,
-                      .T_odom_sensor = fit.T_odom_sensor,
-                      .score = fit.alignment.score(),
-                      .open = fit.open,
-                      .open_bound_share = params_.refinement.bound_share(fit.open.effective_points),
-                      .turn_bound_share = fit.turn.bound_share};
-  const double lever_m = fit.turn.motion_m.norm();
-  if (fit.turn.bound_share < 1.0 && lever_m > 0.0) {
-    tracked.open.direction = fit.turn.motion_m / lever_m;
-    tracked.open_bound_share = fit.turn.bound_share;
-    tracked.turn_motion_m = fit.turn.motion_m;
-  }
-  return tracked;
-}
-
 double ScanTracker::least_score(const SubmapFit& fit) const {
-  return is_open(fit) ? params_.recovery.below_score_if_open : params_.recovery.below_score;
-}
-
-bool ScanTracker::is_open(const SubmapFit& fit) const {
-  return fit.open.effective_points < params_.refinement.min_effective_points ||
-         fit.turn.bound_share < 1.0;
+  return is_open(fit, params_.refinement) ? params_.recovery.below_score_if_open
+                                          : params_.recovery.below_score;
 }
 
 void ScanTracker::count_lost(TrackStatus status, Situation situation) {

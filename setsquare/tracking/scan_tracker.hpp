@@ -184,10 +184,6 @@ class ScanTracker {
   /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
   /// a direction open and do not, the place is wrong.
   [[nodiscard]] double least_score(const SubmapFit& fit) const;
-  /// Whether a direction is open, or a turn.
-  [[nodiscard]] bool is_open(const SubmapFit& fit) const;
-  /// A fit as an answer that has not been judged.
-  [[nodiscard]] TrackedPose answer_from(const SubmapFit& fit) const;
   /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
   /// the submap.
   void count_lost(TrackStatus status, Situation situation);

@@ -158,6 +158,24 @@ TEST(CommandSimulate, EveryBuildingAndScannerCanBeHad) {
   }
 }
 
+TEST(CommandSimulate, APatrolDrivesThereAndBack) {
+  const TemporaryFolder folder;
+  const std::string room = folder.write("room.svg", kRoom);
+  const std::string options = "--plan " + room + " --plan-scale 0.01 --route '1,-1 5,-1' --rate 1";
+  const auto once = read_trajectory_tum((simulate(folder, options) / "truth.tum").string());
+  const auto patrol =
+      read_trajectory_tum((simulate(folder, options + " --rounds 3") / "truth.tum").string());
+  EXPECT_GT(patrol.size(), 6 * once.size() - 6);
+  EXPECT_NEAR(patrol.back().pose.x_m, patrol.front().pose.x_m, 0.5);
+  int num_turns = 0;  // At either end of the way.
+  for (std::size_t i = 2; i < patrol.size(); ++i) {
+    const double before_m = patrol[i - 1].pose.x_m - patrol[i - 2].pose.x_m;
+    const double step_m = patrol[i].pose.x_m - patrol[i - 1].pose.x_m;
+    num_turns += before_m * step_m < 0.0 || (before_m != 0.0 && step_m == 0.0) ? 1 : 0;
+  }
+  EXPECT_GE(num_turns, 5);
+}
+
 TEST(CommandSimulate, TheLogIsOneThatTheMapperMaps) {
   const TemporaryFolder folder;
   const auto out = simulate(folder, "--building office --seed 1 --every 0.2");
@@ -220,6 +238,7 @@ TEST(CommandSimulate, BadInputIsOneLineAndLeavesNothingBehind) {
     EXPECT_FALSE(std::filesystem::exists(out)) << arguments;
   };
   expect_error("--building castle", "castle");
+  expect_error("--rounds 0", "--rounds");
   expect_error("--seed many", "many");
   expect_error("--building office --plan " + room, "--plan");
   expect_error("--route '1,1 2,2'", "--plan");

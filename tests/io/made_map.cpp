@@ -395,6 +395,12 @@ void list_reports(Listing& out, const Map& map) {
   out.add("sweep.num_turns", map.sweep.num_turns);
   out.add("num_with_odometry", map.num_with_odometry);
   if (map.num_forgotten > 0) out.add("num_forgotten", map.num_forgotten);
+  for (std::size_t i = 0; i < map.forgotten_poses.size(); ++i) {
+    const std::string name = "forgotten_poses[" + std::to_string(i) + "].";
+    out.add((name + "next_scan").c_str(), map.forgotten_poses[i].next_scan);
+    out.add((name + "num_scans").c_str(), map.forgotten_poses[i].num_scans);
+    out.add((name + "way_m").c_str(), map.forgotten_poses[i].way_m);
+  }
   out.add("is_audited", map.audit.has_value());
   const AuditReport audit = map.audit.value_or(AuditReport{});
   out.add("audit.num_pairs", audit.num_pairs);

@@ -184,6 +184,20 @@ TEST(MapFile, WhatWasForgottenIsToldWhereThereIsAny) {
   EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
 }
 
+TEST(MapFile, WherePosesWereForgottenIsToldWhereAnyWere) {
+  SavedMap saved = made_map(5, 6);
+  const Sections without = sections_of(saved);
+  saved.map.forgotten_poses = {{.next_scan = 2, .num_scans = 70, .way_m = 3.5},
+                               {.next_scan = 4, .num_scans = 1, .way_m = 0.25}};
+  const Sections file = sections_of(saved);
+  ASSERT_EQ(file.sections.size(), without.sections.size() + 1);
+  const auto told = std::ranges::find(file.sections, "GAPS", &Section::id);
+  ASSERT_NE(told, file.sections.end());
+  EXPECT_FALSE(told->is_required) << "older programs read the map";
+  EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
+  EXPECT_EQ(text_of(saved).find("forgotten_poses[1]") == std::string::npos, false);
+}
+
 /// Eight bytes of every section are made a huge number, wherever they stand: counts among them.
 TEST(MapFile, AnyCountInAHostileFileIsHeldAgainstWhatIsLeft) {
   const Sections file = sections_of(made_map(5, 6));

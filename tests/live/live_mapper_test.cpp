@@ -6,8 +6,10 @@
 
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <optional>
 #include <random>
+#include <thread>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
@@ -107,6 +109,18 @@ TEST_P(LiveMapperOnDrives, GoesOnBehindAFinishedMap) {
   expect_same(live.finish(), mapped(drive));
 }
 
+TEST_P(LiveMapperOnDrives, NeverFallsFartherBehindThanItMay) {
+  const Drive drive = drive_twice(GetParam());
+  LiveMapperParams params = eager();
+  params.max_behind = 100;
+  LiveMapper live(params);
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    (void)live.add(drive.scans[i], drive.T_wheels_base[i]);
+    EXPECT_LE(live.counts().num_behind, params.max_behind);
+  }
+  expect_same(live.finish(), mapped(drive));
+}
+
 TEST_P(LiveMapperOnDrives, OdometryNeverJumpsAndFramesAgree) {
   const Drive drive = drive_twice(GetParam());
   LiveMapper live(eager());
@@ -129,6 +143,39 @@ TEST_P(LiveMapperOnDrives, OdometryNeverJumpsAndFramesAgree) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Wheels, LiveMapperOnDrives, ::testing::Values(0.0, 0.5, 0.01));
+
+/// What any thread may call, from another one while scans come: for the thread sanitizer, too.
+TEST(LiveMapper, IsAskedByAnotherThreadWhileScansCome) {
+  const Drive drive = drive_twice(0.01);
+  LiveMapper live(eager());
+  std::atomic<bool> is_ending = false;
+  std::size_t num_asked = 0;
+  std::thread asker([&] {
+    std::size_t num_scans = 0;
+    std::size_t num_in_map = 0;
+    while (!is_ending) {
+      const LiveCounts counts = live.counts();
+      EXPECT_GE(counts.num_scans, num_scans);
+      num_scans = counts.num_scans;
+      std::future<LiveMapPtr> wanted = live.request_map();
+      const LiveMapPtr last = live.last_map();
+      const LiveMapPtr map = wanted.get();
+      if (!map) continue;
+      EXPECT_TRUE(!last || map->number >= last->number);
+      EXPECT_GE(map->map.scans.size(), num_in_map);
+      num_in_map = map->map.scans.size();
+      ++num_asked;
+    }
+  });
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    (void)live.add(drive.scans[i], drive.T_wheels_base[i]);
+  }
+  const Map map = live.finish();
+  is_ending = true;
+  asker.join();
+  EXPECT_GT(num_asked, 0U);
+  expect_same(map, mapped(drive));
+}
 
 TEST(LiveMapper, TracksAllAgainWhereTheWheelsAreRefuted) {
   const Drive drive = drive_twice(0.5);

@@ -13,6 +13,7 @@
 #include <random>
 #include <vector>
 
+#include "setsquare/map/map_summary.hpp"
 #include "setsquare/mapping/mapper.hpp"
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
@@ -41,10 +42,15 @@ struct Patrol {
   std::vector<Pose2> truth;
 
   /// `changes_at`: from this share of the way on the walls are `later`.
+  [[nodiscard]] Map mapped(const ForgettingParams& forgetting) const {
+    return mapped(true, testing::corridor_around_a_block(), 1.0, forgetting);
+  }
   [[nodiscard]] Map mapped(bool forgets,
                            const std::vector<Wall>& later = testing::corridor_around_a_block(),
-                           double changes_at = 1.0) const {
+                           double changes_at = 1.0,
+                           const ForgettingParams& forgetting = {}) const {
     MapperParams params;
+    params.forgetting = forgetting;
     params.forgetting.is_on = forgets;
     params.audit.is_on = false;
     Mapper mapper(params);
@@ -101,6 +107,69 @@ TEST(Forgetting, TheMapIsNoWorse) {
   const Pose2 true_end = patrol.truth.front().inverse() * patrol.truth.back();
   EXPECT_THAT(forgotten.scans.front().T_map_base.inverse() * forgotten.scans.back().T_map_base,
               PoseNear(true_end, kTrue));
+}
+
+/// The scans of `few` are those of `all` but for the ones left out, and lie as they do there.
+void expect_left_as_they_were(const Map& few, const Map& all) {
+  std::size_t of_all = 0;
+  std::size_t gap = 0;
+  for (std::size_t i = 0; i < few.scans.size(); ++i, ++of_all) {
+    if (gap < few.forgotten_poses.size() && few.forgotten_poses[gap].next_scan == i) {
+      const std::size_t num = few.forgotten_poses[gap].num_scans;
+      double way_m = 0.0;
+      for (std::size_t k = of_all; k <= of_all + num; ++k) {
+        way_m += (all.scans[k].T_map_base.translation() - all.scans[k - 1].T_map_base.translation())
+                     .norm();
+      }
+      EXPECT_NEAR(few.forgotten_poses[gap].way_m, way_m, 0.02 * way_m);
+      of_all += num;
+      ++gap;
+    }
+    ASSERT_EQ(few.scans[i].stamp, all.scans[of_all].stamp) << i;
+    ASSERT_THAT(few.scans[i].T_map_base, PoseNear(all.scans[of_all].T_map_base, kRounding)) << i;
+  }
+  EXPECT_EQ(of_all, all.scans.size());
+}
+
+TEST(Forgetting, PosesOfKnownGroundAreBoundedAndTheOthersLieAsBefore) {
+  const Patrol patrol(12);
+  const Map all = patrol.mapped(true);
+  ForgettingParams forgetting;
+  forgetting.max_known_poses = 300;
+  const Map few = patrol.mapped(forgetting);
+  validate(few);
+  ASSERT_FALSE(few.forgotten_poses.empty());
+  EXPECT_LT(few.forgotten_poses.size(), 20U);
+  expect_left_as_they_were(few, all);
+  EXPECT_EQ(few.num_forgotten, all.num_forgotten);
+  EXPECT_EQ(few.keyframes.size(), all.keyframes.size());
+  EXPECT_EQ(few.closures.size(), all.closures.size());
+  EXPECT_NEAR(summary_of(few).path_m, summary_of(all).path_m, 0.02 * summary_of(all).path_m);
+  EXPECT_EQ(occupancy_grid(few).values(), occupancy_grid(all).values());
+}
+
+TEST(Forgetting, WithPosesBoundedTheNumberOfScansStays) {
+  ForgettingParams forgetting;
+  forgetting.max_known_poses = 300;
+  const Map of_8 = Patrol(8).mapped(forgetting);
+  const Map of_16 = Patrol(16).mapped(forgetting);
+  const std::size_t num_driven = Patrol(16).truth.size() - Patrol(8).truth.size();
+  // What came since keyframes were last forgotten has its poses.
+  EXPECT_LT(of_16.scans.size(), of_8.scans.size() + num_driven / 4);
+  EXPECT_EQ(of_16.scans.size() + summary_of(of_16).num_forgotten_poses, Patrol(16).truth.size());
+}
+
+TEST(Forgetting, AMapWithoutSomePosesIsGoneOnWith) {
+  ForgettingParams forgetting;
+  forgetting.max_known_poses = 300;
+  const Map few = Patrol(10).mapped(forgetting);
+  ASSERT_FALSE(few.forgotten_poses.empty());
+  MapperParams params;
+  params.audit.is_on = false;
+  const Map again = Mapper(few, params).finish();
+  EXPECT_EQ(summary_of(again).num_forgotten_poses, summary_of(few).num_forgotten_poses);
+  EXPECT_EQ(again.keyframes, few.keyframes);
+  ASSERT_EQ(again.scans.size(), few.scans.size());
 }
 
 TEST(Forgetting, WhatIsDrivenFewTimesIsKept) {
@@ -162,16 +231,15 @@ struct Parts {
       evidence.emplace_back().tracked_heading_rad = T_odom_sensor[k].theta_rad;
       for (const Pose2& pose : {T_odom_sensor[k], T_odom_sensor[k] * Pose2{0.1, 0.0, 0.05}}) {
         TrackedScan scan;
-        scan.tracked.T_odom_sensor = pose;
-        scan.tracked.T_odom_body = pose;
-        scans.push_back(scan);
+        scan.T_odom_sensor = pose;
+        scans.add(scan);
         kept_scans.push_back({scans.size() - 1, keyframe.scan});
       }
     }
   }
   TrackedParts parts() { return {scans, kept_scans, track, shares_of_place, evidence}; }
 
-  std::vector<TrackedScan> scans;
+  TrackedScans scans;
   std::vector<KeptScan> kept_scans;
   KeyframeTrack track;
   std::vector<double> shares_of_place;
@@ -197,13 +265,12 @@ TEST(ForgetKeyframes, WithoutDriftNothingMoves) {
   std::vector<Pose2> T_map_sensor;
   for (const Pose2& pose : tracked) T_map_sensor.push_back(T_map_odom * pose);
   Parts parts(tracked);
-  const std::vector<TrackedScan> before = parts.scans;
+  const TrackedScans before = parts.scans;
   const std::vector<std::size_t> kept{0, 1, 2, 6, 7, 10, 11};
   const Pose2 T_new_old = forget_keyframes(kept, T_map_sensor, {}, parts.parts());
   EXPECT_THAT(T_new_old, PoseNear(Pose2{}, kRounding));
   for (std::size_t i = 0; i < before.size(); ++i) {
-    EXPECT_THAT(parts.scans[i].tracked.T_odom_sensor,
-                PoseNear(before[i].tracked.T_odom_sensor, kRounding));
+    EXPECT_THAT(parts.scans.T_odom_sensor(i), PoseNear(before.T_odom_sensor(i), kRounding));
   }
 }
 
@@ -219,7 +286,7 @@ TEST(ForgetKeyframes, OverARunTheTrackIsTheMaps) {
   for (std::size_t i = 1; i < kept.size(); ++i) {
     EXPECT_EQ(keyframes[i]->scan_index, 2 * kept[i]);
     EXPECT_THAT(keyframes[i]->T_odom_sensor,
-                PoseNear(parts.scans[2 * kept[i]].tracked.T_odom_sensor, kRounding));
+                PoseNear(parts.scans.T_odom_sensor(2 * kept[i]), kRounding));
     const Pose2 moved = keyframes[i - 1]->T_odom_sensor.inverse() * keyframes[i]->T_odom_sensor;
     const bool is_joined = kept[i] != kept[i - 1] + 1;
     const std::size_t run = kept[i - 1] + 1;  // Its first keyframe, where there is one.
@@ -230,12 +297,11 @@ TEST(ForgetKeyframes, OverARunTheTrackIsTheMaps) {
     EXPECT_EQ(parts.track.stretches[i] != parts.track.stretches[i - 1], is_joined);
   }
   for (std::size_t k = 3; k <= 6; ++k) {
-    const Pose2 seen =
-        parts.scans[6].tracked.T_odom_sensor.inverse() * parts.scans[2 * k].tracked.T_odom_sensor;
+    const Pose2 seen = parts.scans.T_odom_sensor(6).inverse() * parts.scans.T_odom_sensor(2 * k);
     EXPECT_THAT(seen, PoseNear(T_map_sensor[3].inverse() * T_map_sensor[k], kRounding)) << k;
   }
   EXPECT_THAT(keyframes.back()->T_odom_sensor, PoseNear(T_new_old * tracked.back(), kRounding));
-  EXPECT_THAT(parts.scans.back().tracked.T_odom_sensor,
+  EXPECT_THAT(parts.scans.T_odom_sensor(parts.scans.size() - 1),
               PoseNear(T_new_old * tracked.back() * Pose2{0.1, 0.0, 0.05}, kRounding));
   for (const KeptScan& scan : parts.kept_scans) {
     EXPECT_FALSE(scan.index > 4 && scan.index < 12) << "lies in a run";

@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
+#include <optional>
+#include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/mapping/growing_map.hpp"
+#include "setsquare/mapping/log_tracker.hpp"
 #include "setsquare/mapping/mapper.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "tests/mapping/tracked_world.hpp"
@@ -181,6 +185,38 @@ TEST(MapperContinued, PartsInAnyOrderThatOverlapAreTheWhole) {
     expect_true_poses(map, parts);
     // Continuing with nothing changes nothing of this one, either.
     expect_same(map, Mapper(map).finish(), kSame);
+  }
+}
+
+TEST(MapperContinued, MapsOnTheWayLieAsTheFinishedOneDoes) {
+  const std::array<Log, 3> parts = three_parts();
+  const Map known = map_of(parts[0]);
+  GrowingMap growing{MapperParams{}};
+  growing.add(known);
+  LogTracker tracker{MapperParams{}};
+  std::size_t num_placed = 0;
+  for (std::size_t i = 0; i < parts[1].scans.size(); ++i) {
+    TrackSteps steps;
+    (void)tracker.add(parts[1].scans[i], std::nullopt, steps);
+    growing.add(std::move(steps));
+    if (i % 40 != 39) continue;
+    const Map next = growing.make_next({});
+    const Map whole = growing.make({});
+    ASSERT_EQ(next.scans.size(), whole.scans.size());
+    num_placed += next.scans.back().is_placed;
+    for (std::size_t k = 0; k < next.scans.size(); ++k) {
+      ASSERT_EQ(next.scans[k].is_placed, whole.scans[k].is_placed) << i << ", " << k;
+      if (!next.scans[k].is_placed) continue;
+      ASSERT_THAT(next.scans[k].T_map_base, PoseNear(whole.scans[k].T_map_base, kSame))
+          << i << ", " << k;
+    }
+  }
+  EXPECT_GE(num_placed, 3U);
+  const Map finished = growing.make({});
+  const Map again = continued(known, parts[1]);
+  ASSERT_EQ(finished.scans.size(), again.scans.size());
+  for (std::size_t k = 0; k < finished.scans.size(); ++k) {
+    ASSERT_EQ(finished.scans[k].T_map_base, again.scans[k].T_map_base) << k;
   }
 }
 

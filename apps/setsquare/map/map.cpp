@@ -16,6 +16,7 @@
 #include "apps/setsquare/audit/verdict_text.hpp"
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/command_line/parse.hpp"
+#include "apps/setsquare/give_back_memory.hpp"
 #include "apps/setsquare/map/outputs.hpp"
 #include "apps/setsquare/map/timing.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
@@ -87,10 +88,8 @@ void tell(const MapSummary& summary, double total_s) {
       summary.num_accepted_closures,
       summary.num_compared_closures,
       summary.num_outvoted_closures);
-  if (summary.num_forgotten > 0) {
-    std::cout << fmt::format(
-        "forgotten: {} keyframes of places that were covered before, and showed nothing new\n",
-        summary.num_forgotten);
+  for (const std::string& sentence : sentences_on_forgotten(summary)) {
+    std::cout << sentence << "\n";
   }
   tell_doubts(summary);
   std::cout << fmt::format("mapped and written in {:.2f} s ({:.0f} us per scan)\n",
@@ -150,6 +149,7 @@ void map_command(MapOptions options) {
   }
   OutputSet outputs(options.output_path, map_output_names(), inputs);
   const MappedLog mapped = map_log_with_progress(*reader, options, clock);
+  give_back_memory();
   write_map_outputs(outputs, mapped, options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase, clock);
   std::cout << verdict_text(mapped.map);
   tell(summary_of(mapped.map), seconds_of(clock));

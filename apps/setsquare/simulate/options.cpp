@@ -18,6 +18,7 @@ constexpr int kMaxScanners = 9;  // ROBOTLASER1 to ROBOTLASER9
 constexpr double kFastestTurn_deg_per_s = 36000.0;
 constexpr double kWidestSpin_deg = 36000.0;
 constexpr double kRestAtSpin_s = 1.0;
+constexpr std::size_t kMaxRounds = 100'000;
 
 void add_world_options(CLI::App& subcommand, SimulateOptions& options) {
   CLI::Option* const building =
@@ -105,6 +106,11 @@ void add_scanner_options(CLI::App& subcommand, SimulateOptions& options) {
 }
 
 void add_motion_options(CLI::App& subcommand, SimulateOptions& options) {
+  subcommand
+      .add_option("--rounds", options.num_rounds, "Patrols: drives the way there and back, N times")
+      ->check(whole_number(1, kMaxRounds))
+      ->type_name("N")
+      ->default_str("one way, once");
   subcommand.add_option("--speed", options.drive.speed.drive_m_per_s, "Of the robot, in m/s")
       ->check(number_above(0.0))
       ->type_name("M/S");

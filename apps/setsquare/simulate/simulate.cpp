@@ -82,6 +82,7 @@ void add_simulate(CLI::App& application) {
       "  setsquare simulate --building office --seed 7 -o sim\n"
       "  setsquare simulate --building wings --scanner low-cost-360 --no-people -o sim\n"
       "  setsquare simulate --building hallway --every 0.4 -o sim\n"
+      "  setsquare simulate --building office --rounds 100 --beams 181 -o patrol\n"
       "  setsquare simulate --mounting 0.25,0.2,45 --mounting -0.25,-0.2,-135 -o sim\n"
       "  setsquare simulate --spin 360 --turn-rate 180 --scanner low-cost-360 --format jsonl -o "
       "sim\n"

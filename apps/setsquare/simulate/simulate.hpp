@@ -22,12 +22,13 @@ namespace setsquare::app {
 
 /// What `setsquare simulate` was asked to do.
 struct SimulateOptions {
-  std::string output_path;          ///< A directory; made if it is not there.
-  std::string building = "office";  ///< A class of buildings, "paper" or "hallway".
-  std::uint64_t seed = 1;           ///< Of the building and, apart from it, of the run.
-  std::string plan_path;            ///< Instead of a building; empty where none is given.
-  double m_per_unit = 1.0;          ///< Of an SVG plan.
-  std::string route;                ///< "x,y x,y ..." in m; empty where none is given.
+  std::string output_path;                ///< A directory; made if it is not there.
+  std::string building = "office";        ///< A class of buildings, "paper" or "hallway".
+  std::uint64_t seed = 1;                 ///< Of the building and, apart from it, of the run.
+  std::string plan_path;                  ///< Instead of a building; empty where none is given.
+  double m_per_unit = 1.0;                ///< Of an SVG plan.
+  std::string route;                      ///< "x,y x,y ..." in m; empty where none is given.
+  std::optional<std::size_t> num_rounds;  ///< There and back; else one way, once.
   bool has_people = true;
   std::string scanner = "utm-30lx";
   std::optional<double> field_of_view_deg;
@@ -49,8 +50,9 @@ void add_simulate_options(CLI::App& subcommand, SimulateOptions& options);
 /// "x,y x,y ..." in m. Throws Error where it is no such list of two points or more, within 10 km.
 [[nodiscard]] std::vector<Eigen::Vector2d> route_from_text(std::string_view text);
 
-/// The building that the options name, or the plan with its route; without people where none are
-/// wanted. Throws FileError, FormatError, Error where a plan has no route.
+/// The building that the options name, or the plan with its route, driven in rounds where these are
+/// wanted; without people where none are. Throws FileError, FormatError, Error where a plan has no
+/// route.
 [[nodiscard]] Building world_from(const SimulateOptions& options);
 
 /// The files that world_from() reads: a plan, and the image that a map's yaml file names.

@@ -107,6 +107,17 @@ Building world_from_plan(const SimulateOptions& options) {
   return world;
 }
 
+/// The way there and back, so many times.
+std::vector<Eigen::Vector2d> driven_in_rounds(const std::vector<Eigen::Vector2d>& way_m,
+                                              std::size_t num_rounds) {
+  std::vector<Eigen::Vector2d> route_m{way_m.front()};
+  for (std::size_t round = 0; round < num_rounds; ++round) {
+    route_m.insert(route_m.end(), way_m.begin() + 1, way_m.end());
+    route_m.insert(route_m.end(), way_m.rbegin() + 1, way_m.rend());
+  }
+  return route_m;
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
@@ -131,6 +142,7 @@ std::vector<Eigen::Vector2d> route_from_text(std::string_view text) {
 Building world_from(const SimulateOptions& options) {
   Building world = options.plan_path.empty() ? make_building(options.building, options.seed)
                                              : world_from_plan(options);
+  if (options.num_rounds) world.route_m = driven_in_rounds(world.route_m, *options.num_rounds);
   if (!options.has_people) world.people.clear();
   return world;
 }

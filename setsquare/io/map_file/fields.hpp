@@ -116,6 +116,12 @@ void describe(Archive& archive, Is<BuildingFrame> auto& frame) {
 }
 
 template <typename Archive>
+void describe(Archive& archive, Is<ForgottenPoses> auto& gap) {
+  auto& [next_scan, num_scans, way_m] = gap;
+  archive(next_scan, num_scans, way_m);
+}
+
+template <typename Archive>
 void describe(Archive& archive, Is<TrackPiece> auto& piece) {
   auto& [first_scan, num_scans, is_joined] = piece;
   archive(first_scan, num_scans, is_joined);

@@ -76,9 +76,9 @@ std::optional<std::vector<KeptScan>> kept_scans_of(const KeptTable& table) {
 }
 
 /// Sections that a map may do without: it cannot be gone on with then, or has forgotten nothing.
-constexpr std::array<std::string_view, 2> kOptional{"SESS", "FORG"};
-/// The section that programs which do not know it may leave out.
-constexpr std::string_view kForgotten = "FORG";
+constexpr std::array<std::string_view, 3> kOptional{"SESS", "FORG", "GAPS"};
+/// Sections that programs which do not know them may leave out.
+constexpr std::array<std::string_view, 2> kForgotten{"FORG", "GAPS"};
 
 /// The sections in their order, and what is in each; the kept scans stand in their table.
 template <typename SomeMap, typename SomeRecord, typename SomeTable, typename Visit>
@@ -99,6 +99,7 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
          sweep,
          num_with_odometry,
          num_forgotten,
+         forgotten_poses,
          graph,
          kept_scans,
          audit,
@@ -115,6 +116,7 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
   visit("AUDI", audit, doubts);
   // Written where there is something to tell: other maps are as before.
   if (!std::is_const_v<SomeMap> || num_forgotten > 0) visit("FORG", num_forgotten);
+  if (!std::is_const_v<SomeMap> || !forgotten_poses.empty()) visit("GAPS", forgotten_poses);
   visit("SCAN", table.scans, table.kept);
 }
 
@@ -176,14 +178,18 @@ std::string map_file_at(const std::string& path) {
 }
 
 std::string map_file_bytes(const Map& map, const MapRecord& record) {
-  Sections file;
   const KeptTable table = table_of(map.kept_scans);
+  std::size_t num_sections = 0;
+  for_each_section(
+      map, record, table, [&](const char* /*id*/, const auto&... /*fields*/) { ++num_sections; });
+  map_file::SectionsWriter file(num_sections);
   for_each_section(map, record, table, [&](const char* id, const auto&... fields) {
     FieldWriter writer;
     writer(fields...);
-    file.sections.push_back({id, id != kForgotten, writer.take()});
+    const bool is_required = std::ranges::find(kForgotten, id) == kForgotten.end();
+    file.add({id, is_required, writer.take()});
   });
-  return map_file::bytes_from_sections(file);
+  return file.take();
 }
 
 void save_map_file(const Map& map, const std::string& path, const MapRecord& record) {

@@ -123,15 +123,21 @@ class Reading {
 
 }  // namespace
 
-std::string bytes_from_sections(const Sections& file) {
+SectionsWriter::SectionsWriter(std::size_t num_sections, std::uint32_t format) {
   ByteWriter head;
   head.append(kMagic);
-  head.write(file.format);
-  head.write(static_cast<std::uint32_t>(file.sections.size()));
+  head.write(format);
+  head.write(static_cast<std::uint32_t>(num_sections));
   head.write(crc32_of(head.bytes()));
-  std::string bytes = head.take();
-  for (const Section& section : file.sections) append_section(bytes, section);
-  return bytes;
+  bytes_ = head.take();
+}
+
+void SectionsWriter::add(const Section& section) { append_section(bytes_, section); }
+
+std::string bytes_from_sections(const Sections& file) {
+  SectionsWriter writer(file.sections.size(), file.format);
+  for (const Section& section : file.sections) writer.add(section);
+  return writer.take();
 }
 
 Sections sections_from_bytes(std::string_view bytes, const std::string& name) {

@@ -4,9 +4,11 @@
 // know what is in them; docs/formats.md describes it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace setsquare::map_file {
@@ -29,7 +31,19 @@ struct Sections {
   std::vector<Section> sections;
 };
 
-/// A file of these sections. What packs well is packed.
+/// Makes a file section by section, so that one at a time takes memory. What packs well is packed.
+class SectionsWriter {
+ public:
+  SectionsWriter(std::size_t num_sections, std::uint32_t format = kFormat);
+  void add(const Section& section);
+  /// The file, when all have been added.
+  [[nodiscard]] std::string take() { return std::move(bytes_); }
+
+ private:
+  std::string bytes_;
+};
+
+/// A file of these sections.
 [[nodiscard]] std::string bytes_from_sections(const Sections& file);
 
 /// The sections of a file, in its order, all checksums right and nothing behind them. Throws

@@ -39,6 +39,11 @@ class LoopCloser {
   /// now: stations and compared places of others are forgotten.
   void keep_only(std::span<const std::size_t> kept, const KeyframeTrack& track);
 
+  /// Keyframes, from the first on, whose stations it has looked at.
+  [[nodiscard]] std::size_t num_looked_at() const {
+    return stations_.empty() ? 0 : stations_.back();
+  }
+
   /// All pairs that were compared: joints, then in the order of the later station.
   [[nodiscard]] const std::vector<ComparedPlaces>& compared() const { return compared_; }
 

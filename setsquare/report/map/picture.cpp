@@ -54,15 +54,15 @@ void draw_path(Image& image,
                std::span<const Eigen::Vector2d> path_cells,
                const MapPictureLayers& layers) {
   const Scans scans = layers.scans;
-  const auto begins_session = [&](std::size_t scan) {
-    return std::ranges::any_of(
-        layers.sessions, [&](const MapSession& session) { return session.first_scan == scan; });
+  const auto begins_way = [&](std::size_t scan) {
+    return std::ranges::binary_search(layers.sessions, scan, {}, &MapSession::first_scan) ||
+           std::ranges::binary_search(layers.gaps, scan, {}, &ForgottenPoses::next_scan);
   };
   for (const StatusStyle& style : kStatusStyles) {
     std::vector<PixelPoint> line;
     for (std::size_t i = 1; i < path_cells.size(); ++i) {
       if (!has_style(scans[i], style)) continue;
-      if (begins_session(i)) {
+      if (begins_way(i)) {
         line.push_back(kGap);
         line.push_back(layout.pixel_of(path_cells[i]));
         continue;

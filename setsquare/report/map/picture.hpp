@@ -30,7 +30,8 @@ struct MapPictureLayers {
   std::span<const MappedScan> scans;
   std::span<const LoopClosure> closures;      ///< Of scans with those stamps.
   std::span<const MapDoubt> doubts = {};      ///< Numbered from 1 in their order.
-  std::span<const MapSession> sessions = {};  ///< Their ways are not joined to each other.
+  std::span<const MapSession> sessions = {};  ///< Their ways are not joined to each other, ...
+  std::span<const ForgottenPoses> gaps = {};  ///< ... nor those before and behind scans left out.
 };
 
 /// A map for people: walls, free space, loop closures, the robot's path with its start and end, a

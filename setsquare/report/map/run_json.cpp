@@ -149,6 +149,7 @@ Json scan_counts(const MapSummary& summary) {
   return {{"scans", summary.num_scans},
           {"keyframes", summary.num_keyframes},
           {"forgotten_keyframes", summary.num_forgotten},
+          {"forgotten_poses", summary.num_forgotten_poses},
           {to_string(TrackStatus::kTracked), summary.num_tracked},
           {to_string(TrackStatus::kDegenerate), summary.num_degenerate},
           {to_string(TrackStatus::kRecovered), summary.num_recovered},

@@ -30,8 +30,11 @@ std::string png_of(const Map& map,
                    const OccupancyGrid& grid,
                    std::span<const LoopClosure> closures,
                    int num_threads) {
-  const MapPictureLayers layers{
-      .scans = map.scans, .closures = closures, .doubts = map.doubts, .sessions = map.sessions};
+  const MapPictureLayers layers{.scans = map.scans,
+                                .closures = closures,
+                                .doubts = map.doubts,
+                                .sessions = map.sessions,
+                                .gaps = map.forgotten_poses};
   if (!map.frames.empty()) return png_from_image(layered_map_picture(grid, layers));
   const double walls_rad = building_heading_rad(placed_scans(map));
   return png_from_image(layered_map_picture(occupancy_grid(map, num_threads, walls_rad), layers));
