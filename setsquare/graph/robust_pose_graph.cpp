@@ -4,23 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/LU>
+#include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/graph/dead_reckoning.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/node_sets.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Typical error along a direction that odometry leaves open.
-constexpr double kOpenSigma_m = 100.0;
-
 /// The weight that is left, for the solve alone, to a refused closure between pieces of track that
 /// odometry does not join: somewhere a piece must lie.
 constexpr double kJoiningWeight = 1e-9;
+/// Rounds over the refused groups, and steps in which weights settle after one was taken in.
+constexpr int kMaxRounds = 3;
+constexpr int kMaxSettlingSteps = 4;
 /// Graduation ends here: weights between 0 and 1 lie within 0.1 % of the threshold.
 constexpr double kLastMu = 1e3;
 
@@ -28,6 +30,7 @@ constexpr double kLastMu = 1e3;
 struct ClosureGroup {
   std::vector<std::size_t> members;  ///< Indices of constraints.
   bool is_in_play = true;
+  bool is_held = false;  ///< At full weight, whatever its error.
   double weight = 1.0;
   double squared_error = 0.0;  ///< Mean of the members', each as a share of its threshold.
 };
@@ -39,13 +42,12 @@ std::vector<ClosureGroup> group_closures(const PoseGraph& graph,
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     if (graph.constraints[k].kind == ConstraintKind::kLoopClosure) order.push_back(k);
   }
-  const auto group_of = [&groups](std::size_t k) { return groups.empty() ? k : groups[k]; };
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return group_of(a) < group_of(b);
+    return groups[a] < groups[b];
   });
   std::vector<ClosureGroup> result;
   for (std::size_t k = 0; k < order.size(); ++k) {
-    if (k == 0 || group_of(order[k]) != group_of(order[k - 1])) result.emplace_back();
+    if (k == 0 || groups[order[k]] != groups[order[k - 1]]) result.emplace_back();
     result.back().members.push_back(order[k]);
   }
   return result;
@@ -96,6 +98,7 @@ struct RobustSolution {
 /// The graduation, and what it works on.
 class Graduation {
  public:
+  /// By the given groups; by the claims that the closures make where none are given.
   Graduation(const PoseGraph& graph,
              std::span<const std::size_t> groups,
              const RobustPoseGraphParams& params)
@@ -103,8 +106,12 @@ class Graduation {
         params_(params),
         one_axis_threshold_(threshold_of_one_axis(params.max_squared_error)),
         system_(graph),
-        groups_(group_closures(graph, groups)),
+        reckoning_(graph, system_.terms()),
         least_weights_(least_weights(graph)) {
+    groups_ = group_closures(
+        graph,
+        groups.empty() ? claims_of(graph, system_.terms(), params.place_m, params.max_squared_error)
+                       : std::vector<std::size_t>(groups.begin(), groups.end()));
     solution_.positions_m.assign(graph.T_map_node.size(), graph.T_map_node[0].translation());
     for (const Constraint& constraint : graph.constraints) {
       solution_.weights.push_back(constraint.weight);
@@ -122,13 +129,9 @@ class Graduation {
   /// From full weights of the groups that odometry does not contradict; at last all may join.
   /// Nothing where odometry contradicts none.
   [[nodiscard]] std::optional<RobustSolution> from_plausible() {
-    const DeadReckoning reckoning(graph_, system_.terms());
     bool is_any_out = false;
     for (ClosureGroup& group : groups_) {
-      const double disagreement = mean_share(group, [&reckoning](const PositionTerm& term) {
-        return reckoning.squared_disagreement(term).value_or(0.0);
-      });
-      group.is_in_play = disagreement <= 1.0;
+      group.is_in_play = is_plausible(group);
       is_any_out = is_any_out || !group.is_in_play;
     }
     if (!is_any_out) return std::nullopt;
@@ -139,7 +142,63 @@ class Graduation {
     return solution();
   }
 
+  /// Takes in refused groups that odometry does not contradict, one after the other, where what
+  /// they contradict then falls and the cost with it.
+  void take_in_refused(RobustSolution& best) {
+    for (int round = 0; round < kMaxRounds; ++round) {
+      bool is_better = false;
+      for (ClosureGroup& group : groups_) {
+        if (best.weights[group.members.front()] >= 0.5 || !is_plausible(group)) continue;
+        RobustSolution other = solution_with(group, best);
+        if (!(other.cost < best.cost)) continue;
+        best = std::move(other);
+        is_better = true;
+      }
+      if (!is_better) return;
+    }
+  }
+
+  /// Every closure for itself, from what the groups have decided: those that do not fit their group
+  /// fall, those that fit though their group fell come back.
+  [[nodiscard]] RobustSolution one_by_one(const RobustSolution& decided) {
+    std::vector<std::size_t> alone(graph_.constraints.size());
+    std::iota(alone.begin(), alone.end(), std::size_t{0});
+    groups_ = group_closures(graph_, alone);
+    begin_at(decided);
+    judge();
+    graduate(1.0);
+    return solution();
+  }
+
  private:
+  /// Whether odometry's own covariance admits the group.
+  [[nodiscard]] bool is_plausible(const ClosureGroup& group) const {
+    return mean_share(group, [this](const PositionTerm& term) {
+             return reckoning_.squared_disagreement(term).value_or(0.0);
+           }) <= 1.0;
+  }
+
+  void begin_at(const RobustSolution& from) {
+    solution_ = from;
+    for (ClosureGroup& group : groups_) group.weight = from.weights[group.members.front()];
+  }
+
+  /// From a solution, a group at full weight first, then as its error says.
+  [[nodiscard]] RobustSolution solution_with(ClosureGroup& group, const RobustSolution& from) {
+    begin_at(from);
+    set_weight(group, 1.0);
+    group.is_held = true;
+    solve();
+    settle();
+    group.is_held = false;
+    settle();
+    return solution();
+  }
+
+  void settle() {
+    for (int step = 0; step < kMaxSettlingSteps && reweight(kLastMu); ++step) solve();
+  }
+
   [[nodiscard]] double threshold(std::size_t k) const {
     return system_.terms()[k].num_bound_axes == 1 ? one_axis_threshold_ : params_.max_squared_error;
   }
@@ -167,13 +226,18 @@ class Graduation {
     solve();  // Takes out what rounding of the first has left.
   }
 
-  /// Positions by the weights as they are, and the groups' squared errors there.
+  /// Positions by the weights as they are, judged.
   void solve() {
     std::vector<double> weights = solution_.weights;
     for (std::size_t k = 0; k < weights.size(); ++k) {
       weights[k] = std::max(weights[k], least_weights_[k]);
     }
     system_.solve(weights, solution_.positions_m);
+    judge();
+  }
+
+  /// The groups' squared errors at the positions as they are.
+  void judge() {
     for (ClosureGroup& group : groups_) {
       group.squared_error = mean_share(group, [this](const PositionTerm& term) {
         return squared_error(term, solution_.positions_m);
@@ -194,7 +258,8 @@ class Graduation {
   [[nodiscard]] bool reweight(double mu) {
     bool is_moving = false;
     for (ClosureGroup& group : groups_) {
-      const double weight = group.is_in_play ? tls_weight(group.squared_error, mu) : 0.0;
+      double weight = group.is_in_play ? tls_weight(group.squared_error, mu) : 0.0;
+      if (group.is_held) weight = 1.0;
       is_moving = is_moving || weight != group.weight || (weight > 0.0 && weight < 1.0);
       set_weight(group, weight);
     }
@@ -213,6 +278,7 @@ class Graduation {
 
   [[nodiscard]] RobustSolution solution() const {
     RobustSolution result = solution_;
+    result.cost = 0.0;
     for (std::size_t k = 0; k < graph_.constraints.size(); ++k) {
       if (graph_.constraints[k].kind != ConstraintKind::kOdometry) continue;
       result.cost += result.weights[k] * squared_error(system_.terms()[k], result.positions_m);
@@ -228,6 +294,7 @@ class Graduation {
   const RobustPoseGraphParams& params_;
   double one_axis_threshold_ = 0.0;
   PositionSystem system_;
+  DeadReckoning reckoning_;
   std::vector<ClosureGroup> groups_;
   std::vector<double> least_weights_;
   RobustSolution solution_;
@@ -245,40 +312,12 @@ void write_to(PoseGraph& graph, const RobustSolution& solution) {
 
 }  // namespace
 
-DeadReckoning::DeadReckoning(const PoseGraph& graph, const std::vector<PositionTerm>& terms)
-    : positions_m_(graph.T_map_node.size(), Eigen::Vector2d::Zero()),
-      covariances_m2_(graph.T_map_node.size(), Eigen::Matrix2d::Zero()) {
-  std::vector<const PositionTerm*> step_to(graph.T_map_node.size(), nullptr);
-  for (std::size_t k = 0; k < terms.size(); ++k) {
-    const bool is_step = terms[k].to == terms[k].from + 1;
-    if (is_step && graph.constraints[k].kind == ConstraintKind::kOdometry) {
-      step_to[terms[k].to] = &terms[k];
-    }
-  }
-  const Eigen::Matrix2d open = Eigen::Matrix2d::Identity() / (kOpenSigma_m * kOpenSigma_m);
-  for (std::size_t node = 0; node < step_to.size(); ++node) {
-    const PositionTerm* step = step_to[node];
-    first_of_piece_.push_back(step != nullptr ? first_of_piece_.back() : node);
-    if (step == nullptr) continue;
-    positions_m_[node] = positions_m_[node - 1] + step->displacement_m;
-    covariances_m2_[node] = covariances_m2_[node - 1] + (step->information + open).inverse();
-  }
-}
-
-std::optional<double> DeadReckoning::squared_disagreement(const PositionTerm& closure) const {
-  const auto [low, high] = std::minmax(closure.from, closure.to);
-  if (first_of_piece_[low] != first_of_piece_[high]) return std::nullopt;
-  const Eigen::Vector2d reckoned_m = positions_m_[closure.to] - positions_m_[closure.from];
-  const Eigen::Vector2d e = reckoned_m - closure.displacement_m;
-  const Eigen::Matrix2d covariance = covariances_m2_[high] - covariances_m2_[low];
-  // (W^-1 + S)^-1 in a form that holds where W is singular.
-  const Eigen::Matrix2d scale = Eigen::Matrix2d::Identity() + covariance * closure.information;
-  return e.dot(closure.information * (scale.inverse() * e));
-}
-
 void RobustPoseGraphParams::validate() const {
   if (!(max_squared_error > 0.0 && max_squared_error <= 1000.0)) {
     throw ParameterError("max_squared_error", "must lie between 0 and 1000");
+  }
+  if (!(place_m >= 0.0 && place_m <= 1000.0)) {
+    throw ParameterError("place_m", "must lie between 0 and 1000");
   }
   if (!(mu_growth > 1.0)) throw ParameterError("mu_growth", "must be above 1");
   if (max_iterations < 1) throw ParameterError("max_iterations", "must be positive");
@@ -298,7 +337,9 @@ void solve_robustly(PoseGraph& graph,
   if (is_any_refused) {
     const auto second = graduation.from_plausible();
     if (second && second->cost < best.cost) best = *second;
+    graduation.take_in_refused(best);
   }
+  if (groups.empty()) best = graduation.one_by_one(best);
   write_to(graph, best);
 }
 

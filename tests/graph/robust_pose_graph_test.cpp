@@ -186,6 +186,42 @@ TEST(RobustPoseGraph, AGroupStandsOrFallsByItsMean) {
   EXPECT_EQ(grouped.constraints[0].weight, 1.0);
 }
 
+/// Five closures that take one place for another, 4 m beside it, across a step of the track that
+/// nothing holds: odometry contradicts two of them firmly, three hardly.
+PoseGraph claim_across_a_loose_step() {
+  PoseGraph graph = stiff_chain(40);
+  graph.constraints[33].information = Eigen::Matrix3d::Identity();  // From node 33 to 34.
+  graph.constraints[36].information = Eigen::Matrix3d::Identity();
+  for (std::size_t i = 0; i < 5; ++i) {
+    Constraint closure;
+    closure.from = i;
+    closure.to = 32 + i;
+    closure.T_from_to.x_m = 32.0;
+    closure.T_from_to.y_m = 4.0;
+    closure.information = 1e4 * Eigen::Matrix3d::Identity();
+    closure.kind = kClosure;
+    graph.constraints.push_back(closure);
+  }
+  return graph;
+}
+
+double largest_closure_weight(PoseGraph graph, const RobustPoseGraphParams& params) {
+  solve_robustly(graph, {}, params);
+  double largest = 0.0;
+  for (const Constraint& constraint : graph.constraints) {
+    if (constraint.kind == kClosure) largest = std::max(largest, constraint.weight);
+  }
+  return largest;
+}
+
+TEST(RobustPoseGraph, AWrongClaimIsNotBelievedInPart) {
+  EXPECT_EQ(largest_closure_weight(claim_across_a_loose_step(), {}), 0.0);
+}
+
+TEST(RobustPoseGraph, EachClosureAloneAWrongClaimIsBelievedInPart) {
+  EXPECT_EQ(largest_closure_weight(claim_across_a_loose_step(), {.place_m = 0.0}), 1.0);
+}
+
 TEST(RobustPoseGraph, APieceJoinedByClosuresAloneIsPlaced) {
   PoseGraph graph = stiff_chain(6);
   graph.constraints.erase(graph.constraints.begin() + 2);  // Nodes 3 to 5 are not connected.
