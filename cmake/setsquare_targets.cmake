@@ -103,7 +103,7 @@ endfunction()
 # One test program a layer: it links only its own layer and those below. Without SOURCES, all those
 # of the folder NAME. LONG names the tests that get the label `long`: they map whole drives, to judge
 # a figure or to show a rule switched off, and other tests run the same lines on less. The sanitizers'
-# preset leaves them out.
+# preset leaves them out. They start first, so that none of them is left over at the end.
 function(setsquare_add_test name)
   cmake_parse_arguments(arg "" "" "SOURCES;LAYERS;LIBRARIES;LONG" ${ARGN})
   if(NOT arg_SOURCES)
@@ -125,5 +125,5 @@ function(setsquare_add_test name)
   list(JOIN arg_LONG ":" long)
   gtest_discover_tests(${name}_test ${discovery} TEST_FILTER "-${long}")
   gtest_discover_tests(${name}_test ${discovery} TEST_FILTER "${long}" TEST_LIST ${name}_long_TESTS
-                       PROPERTIES LABELS long)
+                       PROPERTIES LABELS long COST 10)
 endfunction()

@@ -4,6 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <Eigen/Cholesky>
+
+#include "tests/support/seed.hpp"
+
 namespace setsquare::damped_step_test {
 
 /// Equations whose third direction nothing determines.
@@ -38,6 +43,51 @@ TEST(DampedStep, EachDirectionCanHaveItsOwnDamping) {
   const Eigen::Vector3d step = damped_step<3>(open_equations(), {4.0, 0.0, 1.0});
   EXPECT_NEAR(step.x(), -1.0, 1e-12);
   EXPECT_NEAR(step.y(), 1.0, 1e-12);
+}
+
+/// Of any scale in each direction, and now and then without a hold along one.
+template <int kSize>
+NormalEquations<kSize> random_equations(std::mt19937_64& generator) {
+  using Square = Eigen::Matrix<double, kSize, kSize>;
+  using Column = Eigen::Matrix<double, kSize, 1>;
+  const Square jacobian =
+      Square::NullaryExpr([&generator] { return testing::uniform(generator, -1.0, 1.0); });
+  Column scale = Column::NullaryExpr(
+      [&generator] { return std::pow(10.0, testing::uniform(generator, -6.0, 6.0)); });
+  if (testing::uniform(generator, 0.0, 1.0) < 0.2) scale[kSize - 1] = 0.0;
+  NormalEquations<kSize> equations;
+  equations.hessian = scale.asDiagonal() * (jacobian.transpose() * jacobian) * scale.asDiagonal();
+  equations.gradient = scale.asDiagonal() * jacobian.transpose() * Column::Ones();
+  return equations;
+}
+
+template <int kSize>
+void expect_the_step_of_eigens_ldlt() {
+  std::mt19937_64 generator = testing::make_generator();
+  for (int k = 0; k < 20000; ++k) {
+    const NormalEquations<kSize> data = random_equations<kSize>(generator);
+    const NormalEquations<kSize> prior = random_equations<kSize>(generator);
+    const double damping = k % 2 == 0 ? 1e-3 : 0.0;
+    const bool has_prior = k % 3 == 0;
+    const auto step = damped_step<kSize>(data,
+                                         Eigen::Matrix<double, kSize, 1>::Constant(damping),
+                                         has_prior ? prior : NormalEquations<kSize>{});
+    Eigen::Matrix<double, kSize, kSize> hessian = data.hessian;
+    hessian.diagonal().array() += damping;
+    Eigen::Matrix<double, kSize, 1> gradient = data.gradient;
+    if (has_prior) {
+      hessian += prior.hessian;
+      gradient += prior.gradient;
+    }
+    const Eigen::Matrix<double, kSize, 1> expected = hessian.ldlt().solve(-gradient);
+    // To the last bit: maps stay as they were.
+    ASSERT_TRUE(step == expected) << step << "\n" << expected << "\n" << testing::test_seed();
+  }
+}
+
+TEST(DampedStep, IsThatOfEigensDecomposition) {
+  expect_the_step_of_eigens_ldlt<3>();
+  expect_the_step_of_eigens_ldlt<5>();
 }
 
 TEST(DampedStep, QuickOneIsTheSame) {
