@@ -268,7 +268,9 @@ bool MapMaker::is_settled(const SettledLoops& settled) const {
 MapMaker::Closed MapMaker::close_further(SettledLoops& settled) const {
   const std::vector<HeadingEvidence> evidence =
       evidence_of_joined(log_.evidence, log_.track, settled.joined);
-  Closed closed{.headings = settled.turn_checks.fuse(log_.track, evidence, params_.heading),
+  FusedHeadings headings = settled.turn_checks.fuse(log_.track, evidence, params_.heading);
+  Closed closed{.turn_checks = settled.turn_checks,
+                .headings = std::move(headings),
                 .closer = settled.closer,
                 .joined = settled.joined};
   close_loops(log_.track, closed.headings.heading_rad, log_.track.size(), params_, closed.closer);

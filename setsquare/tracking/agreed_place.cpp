@@ -29,6 +29,17 @@ bool is_within(const ExpectedStep& step, const Pose2& T_odom_sensor) {
   return !is_beyond(off, step.reach.distance_m, step.reach.turn_rad);
 }
 
+bool is_refuted(const AgreedPlace& place,
+                const ExpectedStep& step,
+                bool fits_as_driven,
+                const PlaceVoteParams& params) {
+  using By = ExpectedStep::By;
+  if (step.by == By::kLastMotion || is_within(step, place.T_odom_sensor)) return false;
+  const bool is_seconded = place.votes >= params.min_votes_for_jump;
+  return step.by == By::kProvedOdometry ? fits_as_driven || !is_seconded
+                                        : fits_as_driven && !is_seconded;
+}
+
 double vote_weight(MatchStatus status) {
   if (status == MatchStatus::kMatched) return kAloneWeight;
   return status == MatchStatus::kAmbiguous ? kAmbiguousWeight : 0.0;

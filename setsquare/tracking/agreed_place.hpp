@@ -62,6 +62,14 @@ struct ExpectedStep {
                                                       const std::optional<ExpectedStep>& step,
                                                       const PlaceVoteParams& params);
 
+/// Whether the odometry speaks against a place beyond its reach. That which has proved true: the
+/// scan fits where the robot drove as well, or fewer votes are for the place than a jump needs;
+/// other odometry: both.
+[[nodiscard]] bool is_refuted(const AgreedPlace& place,
+                              const ExpectedStep& step,
+                              bool fits_as_driven,
+                              const PlaceVoteParams& params);
+
 /// Whether two poses are one place.
 [[nodiscard]] bool is_same_place(const Pose2& a, const Pose2& b, const PlaceVoteParams& params);
 

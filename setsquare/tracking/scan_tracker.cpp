@@ -315,7 +315,9 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
     const std::vector<PlaceVote>& votes = scan.votes(prepared_);
     const ExpectedStep step = expected_step(scan, predicted, has_odometry);
     const auto agreed = agreed_place(votes, step, params_.votes);
-    if (agreed && !is_refuted_by_odometry(*agreed, fit, step)) {
+    const bool fits_as_driven =
+        fit.alignment.score() >= least_score(fit) && is_within(step, fit.T_odom_sensor);
+    if (agreed && !is_refuted(*agreed, step, fits_as_driven, params_.votes)) {
       return place_as_agreed(problem, agreed->T_odom_sensor, fit);
     }
     if (long_steps_.are_usual() && !has_odometry) {
@@ -374,18 +376,6 @@ ExpectedStep ScanTracker::expected_step(const ArrivedScan& scan,
   const auto proved = odometry_.proved_reach(step);
   if (proved) return {predicted, *proved, By::kProvedOdometry};
   return {predicted, near, By::kOdometry};
-}
-
-bool ScanTracker::is_refuted_by_odometry(const AgreedPlace& agreed,
-                                         const SubmapFit& tracked,
-                                         const ExpectedStep& step) const {
-  using By = ExpectedStep::By;
-  if (step.by == By::kLastMotion || is_within(step, agreed.T_odom_sensor)) return false;
-  const bool is_seconded = agreed.votes >= params_.votes.min_votes_for_jump;
-  const bool fits_as_driven =
-      tracked.alignment.score() >= least_score(tracked) && is_within(step, tracked.T_odom_sensor);
-  return step.by == By::kProvedOdometry ? fits_as_driven || !is_seconded
-                                        : fits_as_driven && !is_seconded;
 }
 
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,

@@ -162,11 +162,6 @@ class ScanTracker {
   [[nodiscard]] ExpectedStep expected_step(const ArrivedScan& scan,
                                            const Pose2& predicted,
                                            bool has_odometry) const;
-  /// Whether odometry that has proved true speaks against a place: the scan fits where the robot
-  /// drove as well (`tracked`), or too few keyframes agree upon the place.
-  [[nodiscard]] bool is_refuted_by_odometry(const AgreedPlace& agreed,
-                                            const SubmapFit& tracked,
-                                            const ExpectedStep& step) const;
   /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the
   /// fit about the predicted pose, which stays where it is the same place.
   TrackedPose place_as_agreed(const TrackingProblem& problem,

@@ -72,4 +72,23 @@ TEST(AgreedPlace, MatchesThatDetermineNoPlaceHaveNoVote) {
   EXPECT_FALSE(agreed({}));
 }
 
+TEST(AgreedPlace, OdometrySpeaksAgainstAPlaceBeyondItsReachAsGoodAsItHasProved) {
+  using By = ExpectedStep::By;
+  const AgreedPlace one{kElsewhere, 1.0};
+  const AgreedPlace two{kElsewhere, 2.0};
+  const auto refuted = [](const AgreedPlace& place, By by, bool fits_as_driven) {
+    ExpectedStep step = kStepHere;
+    step.by = by;
+    return is_refuted(place, step, fits_as_driven, {});
+  };
+  EXPECT_FALSE(refuted(one, By::kLastMotion, true));
+  EXPECT_TRUE(refuted(one, By::kOdometry, true));
+  EXPECT_FALSE(refuted(one, By::kOdometry, false));
+  EXPECT_FALSE(refuted(two, By::kOdometry, true));
+  EXPECT_TRUE(refuted(one, By::kProvedOdometry, false));
+  EXPECT_TRUE(refuted(two, By::kProvedOdometry, true));
+  EXPECT_FALSE(refuted(two, By::kProvedOdometry, false));
+  EXPECT_FALSE(refuted({kHere, 1.0}, By::kProvedOdometry, true)) << "within reach";
+}
+
 }  // namespace setsquare::agreed_place_test
