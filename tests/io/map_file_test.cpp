@@ -172,16 +172,22 @@ TEST(MapFile, ASectionThatIsAbsentTwiceOrOfAnotherLengthIsNoticed) {
   }
 }
 
+/// A map that older programs read: its file has one section more than another, which is not
+/// required.
+void expect_one_more(const char* id, const Sections& than, const SavedMap& saved) {
+  const Sections file = sections_of(saved);
+  ASSERT_EQ(file.sections.size(), than.sections.size() + 1);
+  const auto told = std::ranges::find(file.sections, id, &Section::id);
+  ASSERT_NE(told, file.sections.end());
+  EXPECT_FALSE(told->is_required) << "older programs read the map";
+  EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
+}
+
 TEST(MapFile, WhatWasForgottenIsToldWhereThereIsAny) {
   SavedMap saved = made_map(5, 6);
   const Sections without = sections_of(saved);
   saved.map.num_forgotten = 7;
-  const Sections file = sections_of(saved);
-  ASSERT_EQ(file.sections.size(), without.sections.size() + 1);
-  const auto told = std::ranges::find(file.sections, "FORG", &Section::id);
-  ASSERT_NE(told, file.sections.end());
-  EXPECT_FALSE(told->is_required) << "older programs read the map";
-  EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
+  expect_one_more("FORG", without, saved);
 }
 
 TEST(MapFile, WherePosesWereForgottenIsToldWhereAnyWere) {
@@ -189,12 +195,7 @@ TEST(MapFile, WherePosesWereForgottenIsToldWhereAnyWere) {
   const Sections without = sections_of(saved);
   saved.map.forgotten_poses = {{.next_scan = 2, .num_scans = 70, .way_m = 3.5},
                                {.next_scan = 4, .num_scans = 1, .way_m = 0.25}};
-  const Sections file = sections_of(saved);
-  ASSERT_EQ(file.sections.size(), without.sections.size() + 1);
-  const auto told = std::ranges::find(file.sections, "GAPS", &Section::id);
-  ASSERT_NE(told, file.sections.end());
-  EXPECT_FALSE(told->is_required) << "older programs read the map";
-  EXPECT_EQ(text_of(map_from_bytes(map_file::bytes_from_sections(file), "")), text_of(saved));
+  expect_one_more("GAPS", without, saved);
   EXPECT_EQ(text_of(saved).find("forgotten_poses[1]") == std::string::npos, false);
 }
 
