@@ -169,8 +169,7 @@ Map MapMaker::make_of(const Close& close) const {
 Map MapMaker::make() const {
   return make_of([&] {
     if (log_.track.pieces.back() == 0) return close_one_piece();
-    TurnChecks checks = log_.turn_checks;
-    return close_across_pieces(LoopCloser(params_.closing), checks);
+    return close_across_pieces(LoopCloser(params_.closing), log_.turn_checks);
   });
 }
 
@@ -179,8 +178,8 @@ Map MapMaker::make_next(std::optional<SettledLoops>& settled) const {
     if (log_.track.pieces.back() == 0) return close_one_piece();
     if (settled && is_settled(*settled)) return close_further(*settled);
     TurnChecks checks = settled ? std::move(settled->turn_checks) : log_.turn_checks;
-    Closed closed = close_across_pieces(closer_of_first_session(), checks);
-    settled = {closed.joined, closed.closer, std::move(checks)};
+    Closed closed = close_across_pieces(closer_of_first_session(), std::move(checks));
+    settled = {closed.joined, closed.closer, closed.turn_checks};
     return closed;
   });
 }
@@ -244,7 +243,7 @@ MapMaker::Closed MapMaker::close_one_piece() const {
   return closed;
 }
 
-MapMaker::Closed MapMaker::close_across_pieces(LoopCloser closer, TurnChecks& checks) const {
+MapMaker::Closed MapMaker::close_across_pieces(LoopCloser closer, TurnChecks checks) const {
   const FusedHeadings apart = checks.fuse(log_.track, log_.evidence, params_.heading);
   const PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
   JoinedPieces joined = join_pieces(
@@ -253,7 +252,8 @@ MapMaker::Closed MapMaker::close_across_pieces(LoopCloser closer, TurnChecks& ch
                 .headings = {},
                 .closer = std::move(closer),
                 .joined = std::move(joined)};
-  closed.headings = closed.turn_checks.fuse(log_.track, evidence_in(closed), params_.heading);
+  closed.headings =
+      closed.turn_checks.fuse(log_.track, evidence_of(closed.joined), params_.heading);
   closed.closer.add_joints(closed.joined.joints);
   close_all_loops(closed);
   return closed;
@@ -266,9 +266,8 @@ bool MapMaker::is_settled(const SettledLoops& settled) const {
 }
 
 MapMaker::Closed MapMaker::close_further(SettledLoops& settled) const {
-  const std::vector<HeadingEvidence> evidence =
-      evidence_of_joined(log_.evidence, log_.track, settled.joined);
-  FusedHeadings headings = settled.turn_checks.fuse(log_.track, evidence, params_.heading);
+  FusedHeadings headings =
+      settled.turn_checks.fuse(log_.track, evidence_of(settled.joined), params_.heading);
   Closed closed{.turn_checks = settled.turn_checks,
                 .headings = std::move(headings),
                 .closer = settled.closer,
@@ -391,8 +390,8 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
   return mended;
 }
 
-std::vector<HeadingEvidence> MapMaker::evidence_in(const Closed& closed) const {
-  return evidence_of_joined(log_.evidence, log_.track, closed.joined);
+std::vector<HeadingEvidence> MapMaker::evidence_of(const JoinedPieces& joined) const {
+  return evidence_of_joined(log_.evidence, log_.track, joined);
 }
 
 std::vector<MapMaker::Closed> MapMaker::closed_with_turns(
@@ -401,7 +400,8 @@ std::vector<MapMaker::Closed> MapMaker::closed_with_turns(
   for (const ToldTurn& told : told_turns(closed.headings, hypotheses, params_.turns)) {
     Closed decided = closed;
     decided.turn_checks.decide(told.turn, told.beyond_rad);
-    decided.headings = decided.turn_checks.fuse(log_.track, evidence_in(closed), params_.heading);
+    decided.headings =
+        decided.turn_checks.fuse(log_.track, evidence_of(closed.joined), params_.heading);
     turned.push_back(closed_with(decided, hypotheses));
   }
   return turned;

@@ -120,7 +120,9 @@ class MapMaker {
   [[nodiscard]] Closed close_one_piece() const;
   /// Joins the pieces of the track, by quarter turns of the headings, and closes the loops that
   /// `closer` has not: one of none closes all again.
-  [[nodiscard]] Closed close_across_pieces(LoopCloser closer, TurnChecks& checks) const;
+  [[nodiscard]] Closed close_across_pieces(LoopCloser closer, TurnChecks checks) const;
+  /// The evidence for the headings, where the pieces were joined.
+  [[nodiscard]] std::vector<HeadingEvidence> evidence_of(const JoinedPieces& joined) const;
   /// Of pieces that were joined, the loops that are left to close.
   [[nodiscard]] Closed close_further(SettledLoops& settled) const;
   [[nodiscard]] bool is_settled(const SettledLoops& settled) const;
@@ -132,8 +134,6 @@ class MapMaker {
   /// All loops closed again along its headings, with those that the hypotheses tell.
   [[nodiscard]] Closed closed_with(const Closed& closed,
                                    const std::vector<MapHypothesis>& hypotheses) const;
-  /// The evidence for the headings, where the pieces were joined.
-  [[nodiscard]] std::vector<HeadingEvidence> evidence_in(const Closed& closed) const;
   /// The same with a turn that the walls left undecided as the hypotheses tell it: tracking slipped
   /// there, or it did not. One for each such turn that would explain what they say of the headings.
   [[nodiscard]] std::vector<Closed> closed_with_turns(

@@ -63,11 +63,10 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.is_restart = is_restart(situation);
   // Many scans in a row do not see again what was seen before: the robot was carried. Among key
   // frames one says so: none is taken where the robot stands.
-  const bool is_carried =
-      long_steps_.are_usual() ? odometry_.has_not_moved(T_wheels_base) : is_at_rest;
-  const bool is_told =
-      long_steps_.are_usual() ? tracked.is_restart : num_lost_ >= params_.max_lost_scans;
-  if (is_carried && is_told) tracked.has_odometry = false;
+  const bool is_carried = long_steps_.are_usual()
+                              ? tracked.is_restart && odometry_.has_not_moved(T_wheels_base)
+                              : num_lost_ >= params_.max_lost_scans && is_at_rest;
+  if (is_carried) tracked.has_odometry = false;
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
@@ -369,8 +368,8 @@ ExpectedStep ScanTracker::expected_step(const ArrivedScan& scan,
                                         const Pose2& predicted,
                                         bool has_odometry) const {
   using By = ExpectedStep::By;
-  const Pose2 step = last_sensor(scan.arrived()).inverse() * predicted;
   if (!has_odometry) return {last_.T_odom_sensor, long_steps_.reach()};
+  const Pose2 step = last_sensor(scan.arrived()).inverse() * predicted;
   const StepReach near{params_.recovery.near_m, params_.recovery.near_rad};
   if (!moves(step)) return {predicted, near};  // A counter may have hung.
   const auto proved = odometry_.proved_reach(step);
