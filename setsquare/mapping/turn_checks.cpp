@@ -21,6 +21,16 @@ void TurnCheckParams::validate() const {
   if (longest_hop < 1) throw ParameterError("longest_hop", "must be at least 1");
 }
 
+namespace {
+
+/// Else a few returns fit however they are laid: neither matches nor tracking tell how far the
+/// robot turned.
+bool sees_walls(const Keyframe& keyframe, std::size_t min_beams) {
+  return keyframe.scan->num_beams() >= min_beams;
+}
+
+}  // namespace
+
 /// Matches of a track's keyframes, each scan prepared once.
 class TurnChecks::Matches {
  public:
@@ -32,7 +42,8 @@ class TurnChecks::Matches {
   /// match, or where nothing was tracked between them.
   [[nodiscard]] std::optional<double> beyond_tracked_rad(std::size_t a, std::size_t b) {
     if (track_.pieces[a] != track_.pieces[b]) return std::nullopt;
-    if (!sees_walls(a) || !sees_walls(b)) return std::nullopt;
+    if (!sees_walls(*track_.keyframes[a], min_beams_)) return std::nullopt;
+    if (!sees_walls(*track_.keyframes[b], min_beams_)) return std::nullopt;
     const MatchResult result = match(prepared(a), prepared(b));
     if (result.status != MatchStatus::kMatched) return std::nullopt;
     const double tracked_rad =
@@ -41,9 +52,6 @@ class TurnChecks::Matches {
   }
 
  private:
-  [[nodiscard]] bool sees_walls(std::size_t k) const {
-    return track_.keyframes[k]->scan->num_beams() >= min_beams_;
-  }
   const PreparedScan& prepared(std::size_t k) {
     const auto known = prepared_.find(k);
     if (known != prepared_.end()) return known->second;
@@ -141,7 +149,7 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
     if (!is_new) break;
     fused = fuse_headings(checked(evidence), params);
   }
-  fused = with_turns_held(std::move(fused), evidence, params);
+  fused = with_turns_held(std::move(fused), track, evidence, params);
   for (std::size_t k = 0; k < track.size(); ++k) {
     fused.drift_rad[k] = fused.heading_rad[k] - evidence[k].tracked_heading_rad;
   }
@@ -149,9 +157,13 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
 }
 
 FusedHeadings TurnChecks::with_turns_held(FusedHeadings fused,
+                                          const KeyframeTrack& track,
                                           const std::vector<HeadingEvidence>& evidence,
                                           const HeadingFusionParams& params) const {
   const auto is_unlikely_slip = [&](const DoubtedTurn& turn) {
+    for (const std::size_t k : {turn.from, turn.to}) {
+      if (!sees_walls(*track.keyframes[k], params_.min_beams)) return false;
+    }
     double variance_rad2 = 0.0;
     for (std::size_t k = turn.from + 1; k <= turn.to; ++k) {
       variance_rad2 += evidence[k].step_sigma_rad * evidence[k].step_sigma_rad;

@@ -45,8 +45,9 @@ class TurnChecks {
   /// Whether anything new is known of the steps of a turn.
   bool check(const DoubtedTurn& turn, Matches& matches);
   /// The same headings with the turns that nobody decided held for other walls, where tracking
-  /// would have slipped by far more than it errs. They stay in doubt.
+  /// would have slipped by far more than it errs: not of scans of few beams. They stay in doubt.
   [[nodiscard]] FusedHeadings with_turns_held(FusedHeadings fused,
+                                              const KeyframeTrack& track,
                                               const std::vector<HeadingEvidence>& evidence,
                                               const HeadingFusionParams& params) const;
   /// How far keyframe b is turned against a beyond what was tracked and the slips known so far.

@@ -129,6 +129,20 @@ TEST(TurnChecks, ScansOfFewBeamsConfirmNothing) {
   EXPECT_TRUE(TurnChecks({.min_beams = 0}).fuse(track.track, track.evidence, {}).doubted.empty());
 }
 
+TEST(TurnChecks, TurnsOfScansOfFewBeamsAreNotHeldForWings) {
+  const Track track = track_with_slips({{30, rad_from_deg(8.0)}});
+  const auto headings = [&](double unlikely_slip_sigmas, std::size_t min_beams) {
+    const TurnCheckParams params{
+        .unlikely_slip_sigmas = unlikely_slip_sigmas, .max_rounds = 0, .min_beams = min_beams};
+    return TurnChecks(params).fuse(track.track, track.evidence, {}).heading_rad;
+  };
+  constexpr double kNever = 1e6;
+  constexpr double kAlways = 1e-6;
+  constexpr std::size_t kMoreThanThereAre = 100'000;
+  EXPECT_EQ(headings(kAlways, kMoreThanThereAre), headings(kNever, kMoreThanThereAre));
+  EXPECT_NE(headings(kAlways, 0), headings(kNever, 0));
+}
+
 TEST(TurnChecks, RefuseWrongParameters) {
   EXPECT_THROW(TurnCheckParams{.agreeing_rad = 0.0}.validate(), ParameterError);
   EXPECT_THROW(TurnCheckParams{.longest_hop = 0}.validate(), ParameterError);
