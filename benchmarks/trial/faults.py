@@ -195,6 +195,123 @@ def posts(num, width_deg):
     return fault
 
 
+def noisy(sigma_m):
+    """Every range is off by as much."""
+    def fault(scans, draw):
+        return _returns_edited(scans, lambda r: max(0.05, r + draw.gauss(0, sigma_m)))
+    return fault
+
+
+def missing(share):
+    """This share of the returns does not come back."""
+    def fault(scans, draw):
+        return _returns_edited(scans, lambda r: SEES_NOTHING if draw.random() < share else r)
+    return fault
+
+
+def every_beam(step):
+    """A scanner of fewer beams: each `step`-th of these."""
+    def fault(scans, _draw):
+        return [{**scan, "ranges": scan["ranges"][::step], "angle_step": step * scan["angle_step"]}
+                for scan in scans]
+    return fault
+
+
+def field_of_view(width_deg):
+    """Only the beams within half of the width of the middle one."""
+    def fault(scans, _draw):
+        def narrow(scan):
+            num = len(scan["ranges"])
+            kept = min(num, 1 + round(math.radians(width_deg) / abs(scan["angle_step"])))
+            first = (num - kept) // 2
+            return {**scan, "ranges": scan["ranges"][first:first + kept],
+                    "angle_min": scan["angle_min"] + first * scan["angle_step"]}
+        return [narrow(scan) for scan in scans]
+    return fault
+
+
+def every_scan(step):
+    """A scanner, or a recorder, that takes each `step`-th of these scans."""
+    def fault(scans, _draw):
+        return scans[::step]
+    return fault
+
+
+def key_frames(way_m, turn_deg):
+    """A log that has a scan only where the robot has moved so far since the last."""
+    def fault(scans, _draw):
+        kept = scans[:1]
+        for scan in scans[1:]:
+            (x, y, h), (u, v, g) = kept[-1]["truth"], scan["truth"]
+            turn = abs(math.degrees(math.remainder(g - h, 2 * math.pi)))
+            if math.hypot(u - x, v - y) >= way_m or turn >= turn_deg:
+                kept.append(scan)
+        return kept
+    return fault
+
+
+def _bearings(scan):
+    return [scan["angle_min"] + k * scan["angle_step"] for k in range(len(scan["ranges"]))]
+
+
+def glass(share, cell_m=2.0):
+    """In this share of the squares of the building the walls are of glass: nothing comes back."""
+    def fault(scans, draw):
+        is_glass = {}
+
+        def seen(scan):
+            x, y, heading = scan["truth"]
+            ranges = list(scan["ranges"])
+            for k, bearing in enumerate(_bearings(scan)):
+                if not _is_return(ranges[k]):
+                    continue
+                cell = (math.floor((x + ranges[k] * math.cos(heading + bearing)) / cell_m),
+                        math.floor((y + ranges[k] * math.sin(heading + bearing)) / cell_m))
+                if is_glass.setdefault(cell, draw.random() < share):
+                    ranges[k] = SEES_NOTHING
+            return {**scan, "ranges": ranges}
+        return [seen(scan) for scan in scans]
+    return fault
+
+
+def people(num, radius_m=0.2, speed_m_s=1.2):
+    """So many people walk about the robot, 0.7 to 4 m off, and hide what is behind them."""
+    def fault(scans, draw):
+        about = [(draw.uniform(0.7, 4.0), draw.uniform(-math.pi, math.pi)) for _ in range(num)]
+        walkers = [(scans[0]["truth"][0] + far * math.cos(at), scans[0]["truth"][1] + far * math.sin(at))
+                   for far, at in about]
+        aims = list(walkers)
+        spoilt, last_s = [], scans[0]["stamp"]
+        for scan in scans:
+            x, y, heading = scan["truth"]
+            way, last_s = speed_m_s * min(1.0, max(0.0, scan["stamp"] - last_s)), scan["stamp"]
+            ranges = list(scan["ranges"])
+            for i, (u, v) in enumerate(walkers):
+                if math.dist(walkers[i], aims[i]) < 0.3 or math.dist(aims[i], (x, y)) > 4.0:
+                    far, at = draw.uniform(0.7, 4.0), draw.uniform(-math.pi, math.pi)
+                    aims[i] = (x + far * math.cos(at), y + far * math.sin(at))
+                rest = math.dist(walkers[i], aims[i])
+                if math.dist(walkers[i], (x, y)) > 5.0:
+                    u, v = aims[i]  # Somebody else.
+                elif rest > 1e-9:
+                    u += min(way, rest) * (aims[i][0] - u) / rest
+                    v += min(way, rest) * (aims[i][1] - v) / rest
+                walkers[i] = (u, v)
+                distance, bearing_of = math.dist((u, v), (x, y)), math.atan2(v - y, u - x) - heading
+                if distance <= radius_m + 0.1:
+                    continue
+                for k, bearing in enumerate(_bearings(scan)):
+                    across = distance * math.sin(bearing - bearing_of)
+                    along = distance * math.cos(bearing - bearing_of)
+                    if along > 0 and abs(across) < radius_m:
+                        r = along - math.sqrt(radius_m ** 2 - across ** 2)
+                        if not _is_return(ranges[k]) or ranges[k] > r:
+                            ranges[k] = max(0.05, r + draw.gauss(0, 0.01))
+            spoilt.append({**scan, "ranges": ranges})
+        return spoilt
+    return fault
+
+
 def dust(share):
     """This share of the returns comes from something nearer that nothing stands beside."""
     def fault(scans, draw):

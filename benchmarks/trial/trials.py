@@ -29,7 +29,7 @@ def trials_of(kinds, seeds):
             for seed in seeds]
 
 
-def _run(*command):
+def run(*command):
     return subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False)
 
 
@@ -41,7 +41,7 @@ def _simulated(command, trial, folder):
         where = ("--plan", folder / "plan.svg")
     else:
         where = ("--building", level.buildings[(seed + trial.level) % len(level.buildings)])
-    done = _run(command, "simulate", *where, "--seed", seed, *level.simulate, "--format", "jsonl",
+    done = run(command, "simulate", *where, "--seed", seed, *level.simulate, "--format", "jsonl",
                 "-o", folder / "sim")
     if done.returncode != 0:
         raise RuntimeError(f"simulate: {done.stderr}")
@@ -59,17 +59,35 @@ def spoilt_log(command, trial, folder):
     draw = random.Random(trial.seed)
     for fault in level.faults:
         scans = fault(scans, draw)
-    with open(folder / "log.jsonl", "w", encoding="ascii") as log:
+    write_log(scans, folder / "log.jsonl")
+    return scans
+
+
+def write_log(scans, path):
+    """A log of the scans, without their truth."""
+    with open(path, "w", encoding="ascii") as log:
         for scan in scans:
             seen = {key: value for key, value in scan.items() if key not in ("truth", "true_pose")}
             log.write(json.dumps({**seen, "stamp": round(scan["stamp"], 6)}) + "\n")
-    return scans
 
 
 def judged(scans, mapped):
     """The verdict on the scans of a log by what the map says of each stamp."""
     return judge([scan["truth"] for scan in scans],
                  [mapped.get(f"{scan['stamp']:.6f}") for scan in scans])
+
+
+def outcome_of(command, scans, options, folder):
+    """Maps folder/log.jsonl, the log of the scans, and judges the map."""
+    done = run(command, "map", folder / "log.jsonl", "--threads", 1, *options, "-o", folder / "map")
+    if done.returncode != 0:
+        return {"poses": len(scans), "placed": 0, "silent": 0, "wrong": 0, "beyond": 0, "turned": 0,
+                "doubts": ["no map"], "error": done.stderr.strip()}
+    mapped, record = mapped_poses(folder / "map")
+    return {**judged(scans, mapped).as_json(),
+            "pieces": len(record["pieces"]), "status": record["num"],
+            "open_stretches": len(record["open_stretches"]),
+            "findings": [finding["kind"] for finding in record["findings"]]}
 
 
 def run_trial(command, trial, keep=None):
@@ -81,14 +99,5 @@ def run_trial(command, trial, keep=None):
             folder.mkdir(parents=True, exist_ok=True)
         scans = spoilt_log(command, trial, folder)
         level = KINDS[trial.kind][trial.level]
-        done = _run(command, "map", folder / "log.jsonl", "--threads", 1, *level.map, "-o",
-                    folder / "map")
-        found = {"kind": trial.kind, "level": level.name, "seed": trial.seed}
-        if done.returncode != 0:
-            return {**found, "poses": len(scans), "placed": 0, "silent": 0, "wrong": 0, "beyond": 0, "turned": 0,
-                    "doubts": ["no map"], "error": done.stderr.strip()}
-        mapped, run = mapped_poses(folder / "map")
-        return {**found, **judged(scans, mapped).as_json(),
-                "pieces": len(run["pieces"]), "status": run["num"],
-                "open_stretches": len(run["open_stretches"]),
-                "findings": [finding["kind"] for finding in run["findings"]]}
+        return {"kind": trial.kind, "level": level.name, "seed": trial.seed,
+                **outcome_of(command, scans, level.map, folder)}

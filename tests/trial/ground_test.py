@@ -15,6 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "benchmarks
 
 from trial.kinds import KINDS  # noqa: E402 (after the path is set)
 from trial.outputs import mapped_poses  # noqa: E402
+from trial.real_logs import base_of, real_trials, run_real_trial  # noqa: E402
 from trial.trials import Trial, judged, run_trial, spoilt_log  # noqa: E402
 
 COMMAND = None
@@ -96,6 +97,22 @@ class Ground(unittest.TestCase):
             self.assertGreater(verdict().num_wrong, 0)
             lose(kept / "map", middle)
             self.assertEqual((verdict().num_silent, verdict().num_placed), (0, middle))
+
+    def test_faults_are_put_into_a_log_that_is_there(self):
+        """A simulated one here, of which only `setsquare map` knows the truth."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            spoilt_log(COMMAND, Trial("plain", 0, 3), folder)
+            base_of(COMMAND, folder / "log.jsonl", folder / "base")
+            trials = real_trials([folder / "log.jsonl"], ["as it is", "half missing", "mirrored"], [1])
+            for trial in trials:
+                outcome = run_real_trial(COMMAND, trial, folder / "base")
+                with self.subTest(outcome):
+                    self.assertEqual((outcome["silent"], outcome["kind"]), (0, trial.fault))
+                    self.assertGreater(outcome["poses"], 300)
+                    self.assertGreaterEqual(outcome["placed"], 0.97 * outcome["poses"])
+            self.assertEqual([trial.mode for trial in trials],
+                             ["odometry", "alone", "odometry", "alone", "odometry"])
 
     def test_no_two_levels_of_a_kind_share_a_name(self):
         for kind, levels in KINDS.items():

@@ -142,7 +142,9 @@ class Faults(unittest.TestCase):
     def test_what_is_kept_keeps_its_truth_and_the_log_is_not_changed(self):
         clean = log()
         for fault in (faults.odometry_frozen(0.3), faults.dust(0.2), faults.posts(2, 9.0),
-                      faults.stuck(1.0), faults.carried(1.0, True), faults.short_sight(3.0)):
+                      faults.stuck(1.0), faults.carried(1.0, True), faults.short_sight(3.0),
+                      faults.noisy(0.05), faults.missing(0.5), faults.every_beam(2), faults.glass(0.5),
+                      faults.field_of_view(60.0), faults.people(3)):
             for before, after in zip(clean, fault(clean, random.Random(1)), strict=True):
                 self.assertEqual(before["truth"], after["truth"])
         self.assertEqual(clean, log())
@@ -178,6 +180,32 @@ class Faults(unittest.TestCase):
         dusty = sum(r != s for r, s in zip(self.spoilt(faults.dust(0.5))[0]["ranges"], log()[0]["ranges"]))
         self.assertIn(dusty, range(4, 17))
         self.assertEqual(self.spoilt(faults.short_sight(3.0))[0]["ranges"][-5:], ["inf"] * 5)
+        self.assertIn(self.spoilt(faults.missing(0.5))[0]["ranges"].count("inf"), range(5, 19))
+
+    def test_fewer_beams_see_the_same_in_the_same_directions(self):
+        def seen(scan):
+            return {round(scan["angle_min"] + k * scan["angle_step"], 9): r for k, r in enumerate(scan["ranges"])}
+        whole = seen(log()[0])
+        for fault, num in ((faults.every_beam(2), 11), (faults.field_of_view(math.degrees(1.0)), 11)):
+            few = seen(self.spoilt(fault)[0])
+            self.assertEqual(len(few), num)
+            self.assertLessEqual(few.items(), whole.items())
+
+    def test_fewer_scans(self):
+        self.assertEqual(self.spoilt(faults.every_scan(8)), log()[::8])
+        kept = self.spoilt(faults.key_frames(1.0, 30.0))
+        ways = [math.dist(a["truth"][:2], b["truth"][:2]) for a, b in zip(kept, kept[1:])]
+        self.assertTrue(all(1.0 <= way < 1.2 for way in ways), ways)
+
+    def test_glass_is_where_it_is_and_people_walk(self):
+        once, again = self.spoilt(faults.glass(0.5)), faults.glass(0.5)(log(), random.Random(1))
+        self.assertEqual(once, again)
+        self.assertIn(sum(s["ranges"].count("inf") for s in once) - 100, range(500, 1501))
+        walked = self.spoilt(faults.people(8))
+        nearer = [sum(a != b for a, b in zip(s["ranges"], t["ranges"])) for s, t in zip(walked, log())]
+        self.assertGreater(sum(nearer), 50)
+        for spoilt, clean in zip(walked, log()):
+            self.assertTrue(all(b == "inf" or a <= b for a, b in zip(spoilt["ranges"], clean["ranges"])))
 
 
 class Outputs(unittest.TestCase):
