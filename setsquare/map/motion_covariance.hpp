@@ -24,8 +24,8 @@ struct MotionCovariance {
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
   bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
-  /// Whether tracking began anew for a step that was too long, among others as long: the scans
-  /// before and after were taken near each other.
+  /// Whether steps from scan to scan were usually long then: a log of key frames, a low rate. Where
+  /// tracking begins anew at such a step, the scans before and after were taken near each other.
   bool is_long_step = false;
 };
 

@@ -54,6 +54,11 @@ struct ExpectedStep {
 /// Whether the robot may be there.
 [[nodiscard]] bool is_within(const ExpectedStep& step, const Pose2& T_odom_sensor);
 
+/// How far a robot is from where its odometry has it, and turned against that; nothing within its
+/// reach, and where no odometry expects the step.
+[[nodiscard]] std::optional<StepReach> departure_from(const ExpectedStep& step,
+                                                      const Pose2& T_odom_sensor);
+
 /// The place with the most votes. It needs more than any other place, for one wrong match bends all
 /// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within
 /// reach of the expected step has as much for it as an ambiguous match gives: what makes a match

@@ -125,6 +125,7 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
       }
       break;
   }
+  add_jump(tracked.departure.distance_m, tracked.departure.turn_rad);
   if (tracked.is_restart && has_odometry_) {
     add_jump(params_.restart_sigma_m_by_odometry, params_.restart_sigma_rad_by_odometry);
   } else if (tracked.is_restart) {

@@ -56,6 +56,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   const Situation situation = expected.situation;
   tracked.T_odom_body = mounting.body_of(tracked.T_odom_sensor);
   tracked.has_odometry = expected.has_odometry;
+  add_departure(expected_step(arrived, expected.T_odom_sensor, expected.has_odometry), tracked);
   tracked.is_long_step = long_steps_.are_usual();
   tracked.is_same_again = is_same_again;
   tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
@@ -353,9 +354,7 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
 }
 
 bool ScanTracker::is_within_reach(const SubmapFit& found, const Pose2& predicted) const {
-  const double num_steps = 1.0 + static_cast<double>(num_lost_);
-  const Eigen::Vector2d off = found.T_odom_sensor.translation() - predicted.translation();
-  return off.norm() <= num_steps * long_steps_.reach().distance_m;
+  return long_steps_.may_lead(predicted.inverse() * found.T_odom_sensor, 1 + num_lost_);
 }
 
 bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {
@@ -375,6 +374,13 @@ ExpectedStep ScanTracker::expected_step(const ArrivedScan& scan,
   const auto proved = odometry_.proved_reach(step);
   if (proved) return {predicted, *proved, By::kProvedOdometry};
   return {predicted, near, By::kOdometry};
+}
+
+void ScanTracker::add_departure(const ExpectedStep& step, TrackedPose& tracked) const {
+  const auto departure = departure_from(step, tracked.T_odom_sensor);
+  if (!departure || tracked.status == TrackStatus::kLost) return;
+  if (step.by == ExpectedStep::By::kProvedOdometry) tracked.departure = *departure;
+  if (long_steps_.are_usual()) tracked.has_odometry = false;  // It did not predict this one.
 }
 
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,

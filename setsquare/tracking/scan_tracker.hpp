@@ -154,7 +154,8 @@ class ScanTracker {
   /// How uncertain the turns are that it is expected to make.
   [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
-  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
+  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago, nor
+  /// turned about.
   [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
   /// Whether several keyframes agree upon a place that is far from the expected one.
   [[nodiscard]] bool is_seconded(ArrivedScan& scan, const SubmapFit& found);
@@ -162,6 +163,8 @@ class ScanTracker {
   [[nodiscard]] ExpectedStep expected_step(const ArrivedScan& scan,
                                            const Pose2& predicted,
                                            bool has_odometry) const;
+  /// What the scan's place says against the odometry.
+  void add_departure(const ExpectedStep& step, TrackedPose& tracked) const;
   /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the
   /// fit about the predicted pose, which stays where it is the same place.
   TrackedPose place_as_agreed(const TrackingProblem& problem,

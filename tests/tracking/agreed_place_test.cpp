@@ -91,4 +91,18 @@ TEST(AgreedPlace, OdometrySpeaksAgainstAPlaceBeyondItsReachAsGoodAsItHasProved) 
   EXPECT_FALSE(refuted({kHere, 1.0}, By::kProvedOdometry, true)) << "within reach";
 }
 
+TEST(AgreedPlace, ADepartureIsFromOdometryAndBeyondItsReach) {
+  ExpectedStep step = kStepHere;
+  EXPECT_FALSE(departure_from(step, kElsewhere));
+  for (const auto by : {ExpectedStep::By::kOdometry, ExpectedStep::By::kProvedOdometry}) {
+    step.by = by;
+    EXPECT_FALSE(departure_from(step, kHere));
+    const auto departure = departure_from(step, {4.0, 3.0, -0.5});
+    ASSERT_TRUE(departure);
+    EXPECT_DOUBLE_EQ(departure->distance_m, 5.0);
+    EXPECT_DOUBLE_EQ(departure->turn_rad, 0.5);
+    EXPECT_TRUE(departure_from(step, {0.0, 0.0, 1.2}));
+  }
+}
+
 }  // namespace setsquare::agreed_place_test
