@@ -370,6 +370,7 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
     }
     if (!is_mended) break;
   }
+  if (!findings.unseconded.empty()) add_certainty(map, params_.motion, findings.unseconded);
   add_findings(findings, params_.audit, map);
 }
 

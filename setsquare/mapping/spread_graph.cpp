@@ -14,6 +14,14 @@ namespace {
 /// Three of them are half a quarter turn.
 constexpr double kSureTurn_rad = rad_from_deg(15.0);
 
+/// How far a wrong step among key frames is off (sigma): places that look alike are metres apart,
+/// and turned by up to a half turn against each other.
+constexpr double kWrongStep_m = 2.0;
+constexpr double kWrongStep_rad = rad_from_deg(60.0);
+/// The same where odometry that is believed tells the step as well.
+constexpr double kWrongStepByOdometry_m = 0.3;
+constexpr double kWrongStepByOdometry_rad = rad_from_deg(4.0);
+
 bool is_open(const Map& map, std::size_t node) {
   return map.scans[map.keyframes[node]].is_turn_open;
 }
@@ -71,11 +79,29 @@ void open_step(const Map& map, double variance_rad2, Constraint& step) {
   step.information -= bound * bound.transpose() / (1.0 / variance_rad2 + motion.dot(bound));
 }
 
+bool is_told_by_odometry(const Map& map, std::size_t keyframe) {
+  const OdometryVerdict verdict = map.odometry.verdict;
+  return (verdict == OdometryVerdict::kBelieved || verdict == OdometryVerdict::kScaled) &&
+         keyframe < map.track.motions.size() && map.track.motions[keyframe].covariance.has_odometry;
+}
+
+/// Makes a step as uncertain as one that may be wrong.
+void widen(const Map& map, Constraint& step) {
+  const bool is_told = is_told_by_odometry(map, step.to);
+  const double sigma_m = is_told ? kWrongStepByOdometry_m : kWrongStep_m;
+  const double sigma_rad = is_told ? kWrongStepByOdometry_rad : kWrongStep_rad;
+  const Eigen::Vector3d variances(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
+  const Eigen::Matrix3d bound = Eigen::Matrix3d(variances.asDiagonal()) * step.information;
+  step.information *= (Eigen::Matrix3d::Identity() + bound).inverse();
+}
+
 /// For each keyframe how often the turn was lost before it.
-std::vector<std::size_t> sure_parts(const Map& map, const OpenTurns& turns) {
+std::vector<std::size_t> sure_parts(const PoseGraph& graph,
+                                    std::size_t num_keyframes,
+                                    const OpenTurns& turns) {
   constexpr double kSure_rad2 = kSureTurn_rad * kSureTurn_rad;
-  std::vector<std::size_t> parts(map.keyframes.size(), 0);
-  for (const Constraint& step : map.graph.constraints) {
+  std::vector<std::size_t> parts(num_keyframes, 0);
+  for (const Constraint& step : graph.constraints) {
     if (!is_tracked_step(step)) continue;
     const double information = step.information(2, 2);
     if (!(information * kSure_rad2 > 1.0)) parts[step.to] = 1;
@@ -93,7 +119,7 @@ bool is_tracked_step(const Constraint& constraint) {
   return constraint.kind == ConstraintKind::kOdometry && constraint.to == constraint.from + 1;
 }
 
-PoseGraph spread_graph(const Map& map) {
+PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) {
   PoseGraph graph = map.graph;
   if (map.keyframes.size() != graph.T_map_node.size()) return graph;
   std::erase_if(graph.constraints, [&](const Constraint& constraint) {
@@ -107,7 +133,12 @@ PoseGraph spread_graph(const Map& map) {
     if (!is_tracked_step(step) || !(turns.variance_rad2[step.to] > 0.0)) continue;
     open_step(map, turns.variance_rad2[step.to], step);
   }
-  const std::vector<std::size_t> parts = sure_parts(map, turns);
+  for (Constraint& step : graph.constraints) {
+    const bool is_doubtful =
+        is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();
+    if (is_doubtful) widen(map, step);
+  }
+  const std::vector<std::size_t> parts = sure_parts(graph, map.keyframes.size(), turns);
   if (parts.empty() || parts.back() == 0) return graph;
   std::vector<double> information(parts.back() + 1, 0.0);
   for (const HeadingMeasurement& heading : graph.headings) {

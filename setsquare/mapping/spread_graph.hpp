@@ -3,6 +3,9 @@
 // How certain the poses of a map's graph are.
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/map/map.hpp"
 
@@ -18,7 +21,10 @@ namespace setsquare {
 /// 2. The building's walls tell a heading modulo a quarter turn. Behind a turn that is known to no
 ///    better than 15 degrees the quarter is a guess: heading measurements count on one side of it
 ///    only, where they have the most information. A closure over it brings them together again.
-[[nodiscard]] PoseGraph spread_graph(const Map& map);
+/// 3. A long step that no independent match seconds may be a wrong one: it is as uncertain as such
+///    steps are, or as the odometry where that tells it, too.
+/// `unseconded`: the keyframes to which they lead (AuditFindings::unseconded).
+[[nodiscard]] PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded = {});
 
 /// Whether a constraint is a tracked motion, from one keyframe to the next.
 [[nodiscard]] bool is_tracked_step(const Constraint& constraint);

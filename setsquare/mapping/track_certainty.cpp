@@ -58,14 +58,24 @@ std::vector<PieceNodes> nodes_of_pieces(const Map& track) {
   return pieces;
 }
 
-/// So many nodes of a piece, evenly from its first to its last; all where it has fewer.
-std::vector<std::size_t> spread_nodes(const PieceNodes& piece, std::size_t num) {
+/// So many nodes of a piece, evenly from its first to its last; all where it has fewer. And those
+/// before and behind unseconded steps, where spreads jump.
+std::vector<std::size_t> spread_nodes(const PieceNodes& piece,
+                                      std::size_t num,
+                                      std::span<const std::size_t> unseconded) {
   std::vector<std::size_t> nodes;
   const std::size_t num_spread = std::min(piece.num_nodes, std::max<std::size_t>(2, num));
   for (std::size_t k = 0; k < num_spread; ++k) {
     const std::size_t of_piece = k == 0 ? 0 : k * (piece.num_nodes - 1) / (num_spread - 1);
     nodes.push_back(piece.first_node + of_piece);
   }
+  for (const std::size_t node : unseconded) {
+    if (node <= piece.first_node || node >= piece.first_node + piece.num_nodes) continue;
+    nodes.insert(nodes.end(), {node - 1, node});
+  }
+  std::ranges::sort(nodes);
+  const auto repeated = std::ranges::unique(nodes);
+  nodes.erase(repeated.begin(), repeated.end());
   return nodes;
 }
 
@@ -216,6 +226,7 @@ double PoseSpread::position_m() const { return symmetric_eigenvalues(root_m).y()
 
 std::vector<PoseSpread> pose_spreads(const Map& track,
                                      const MotionUncertaintyParams& params,
+                                     std::span<const std::size_t> unseconded,
                                      std::size_t max_num_nodes) {
   if (track.graph.T_map_node.empty()) return {};
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
@@ -226,10 +237,10 @@ std::vector<PoseSpread> pose_spreads(const Map& track,
   std::size_t num_joined_nodes = 0;
   for (const PieceNodes& piece : joined) num_joined_nodes += piece.num_nodes;
   max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
-  const MarginalCovariance marginals(spread_graph(track));
+  const MarginalCovariance marginals(spread_graph(track, unseconded));
   for (const PieceNodes& piece : joined) {
     const std::vector<std::size_t> nodes =
-        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes);
+        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes, unseconded);
     std::vector<PoseSpread> of_node;
     for (const std::size_t node : nodes) {
       const Eigen::Matrix2d way_m2 = marginals.of_way(joined.front().first_node, node);
@@ -248,7 +259,7 @@ std::vector<PoseSpread> pose_spreads(const Map& track,
 
 std::vector<double> position_sigmas_m(const Map& track, std::size_t max_num_nodes) {
   std::vector<double> sigmas_m;
-  for (const PoseSpread& spread : pose_spreads(track, {}, max_num_nodes)) {
+  for (const PoseSpread& spread : pose_spreads(track, {}, {}, max_num_nodes)) {
     sigmas_m.push_back(std::isfinite(spread.heading_rad) ? spread.position_m()
                                                          : spread.heading_rad);
   }
@@ -291,8 +302,10 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, doub
   return stretches;
 }
 
-void add_certainty(Map& map, const MotionUncertaintyParams& params) {
-  const std::vector<PoseSpread> spreads = pose_spreads(map, params);
+void add_certainty(Map& map,
+                   const MotionUncertaintyParams& params,
+                   std::span<const std::size_t> unseconded) {
+  const std::vector<PoseSpread> spreads = pose_spreads(map, params, unseconded);
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     MappedScan& scan = map.scans[i];
     const PoseSpread& spread = spreads[i];

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <Eigen/Core>
+#include <span>
 #include <vector>
 
 #include "setsquare/map/map.hpp"
@@ -28,8 +29,10 @@ struct PoseSpread {
 /// the map, by spread_graph(). Infinite on the diagonal for scans of pieces that were not joined;
 /// empty where there is no graph. Where a heading may be off by much, the position may be off along
 /// an arc: no axis is surer than half the heading's sigma times the other one.
+/// `unseconded`: see spread_graph().
 [[nodiscard]] std::vector<PoseSpread> pose_spreads(const Map& track,
                                                    const MotionUncertaintyParams& params = {},
+                                                   std::span<const std::size_t> unseconded = {},
                                                    std::size_t max_num_nodes = 48);
 
 /// How certain each scan's position is against that of the first keyframe that is connected with
@@ -49,6 +52,9 @@ struct PoseSpread {
 
 /// Writes both into the map: the spreads of MappedScan and Map::open_stretches. `params`: of lost
 /// scans.
-void add_certainty(Map& map, const MotionUncertaintyParams& params = {});
+/// `unseconded`: see spread_graph().
+void add_certainty(Map& map,
+                   const MotionUncertaintyParams& params = {},
+                   std::span<const std::size_t> unseconded = {});
 
 }  // namespace setsquare

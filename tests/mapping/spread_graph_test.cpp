@@ -6,6 +6,8 @@
 
 #include <cmath>
 #include <random>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
@@ -96,6 +98,33 @@ TEST(SpreadGraph, WithoutAnOpenTurnNothingChanges) {
     EXPECT_EQ(spread.constraints[i].to, graph.constraints[i].to) << i;
   }
   EXPECT_EQ(spread.headings.size(), graph.headings.size());
+}
+
+TEST(SpreadGraph, AStepThatNothingSecondsMayBeAWrongOneUntilAClosureTells) {
+  HallDrive drive(0.0);
+  for (MappedScan& scan : drive.map.scans) scan.is_turn_open = false;
+  const std::size_t wrong = kFirstOpen;
+  const std::size_t last = kNumScans - 1;
+  const auto sigmas = [&](std::span<const std::size_t> unseconded, std::size_t node) {
+    const MarginalCovariance marginals(spread_graph(drive.map, unseconded));
+    return std::pair{sigma_along_m(marginals.of_way(0, node), {1.0, 0.0}),
+                     std::sqrt(marginals.of_heading(node))};
+  };
+  const std::size_t steps[] = {wrong};
+  EXPECT_LT(sigmas({}, last).first, 0.1);
+  EXPECT_LT(sigmas(steps, wrong - 1).first, 0.5);
+  EXPECT_GT(sigmas(steps, last).first, 1.5);
+  // Of the two sides of the step one holds the headings.
+  EXPECT_GT(std::max(sigmas(steps, 0).second, sigmas(steps, last).second), rad_from_deg(15.0));
+  drive.map.track.motions.resize(kNumScans);
+  drive.map.odometry.verdict = OdometryVerdict::kBelieved;
+  EXPECT_GT(sigmas(steps, last).first, 0.25);
+  EXPECT_LT(sigmas(steps, last).first, 1.0);
+  drive.map.track.motions[wrong].covariance.has_odometry = false;
+  EXPECT_GT(sigmas(steps, last).first, 1.5);
+  drive.map.graph.constraints.push_back(
+      constraint_between(drive.map.graph.T_map_node, 2, last, ConstraintKind::kLoopClosure));
+  EXPECT_LT(sigmas(steps, last).first, 0.1);
 }
 
 TEST(SpreadGraph, InAnOpenRunSigmasOfTurnsAddUp) {

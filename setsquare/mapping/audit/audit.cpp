@@ -9,6 +9,7 @@
 #include "setsquare/core/parameter_checks.hpp"
 #include "setsquare/mapping/audit/doubts.hpp"
 #include "setsquare/mapping/audit/matched_pairs.hpp"
+#include "setsquare/mapping/audit/unseconded_steps.hpp"
 
 namespace setsquare {
 namespace {
@@ -107,6 +108,9 @@ AuditFindings audit(const Map& map,
   findings.groups = contradiction_groups(findings.matches, track, params);
   findings.report = report_of(matched.num_tried(), findings.matches.size(), findings.groups);
   findings.crossed = crossed_in(track, surfaces, params, num_threads);
+  for (const std::size_t step : unseconded_steps(track, params, matched)) {
+    findings.unseconded.push_back(track.keyframes[step]);
+  }
   return findings;
 }
 

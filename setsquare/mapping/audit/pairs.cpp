@@ -238,6 +238,27 @@ std::vector<double> admitted_m2(const Map& map, const std::vector<std::size_t>& 
   return variances;
 }
 
+/// AuditedTrack::long_steps; `keyframes`: those of the track.
+std::vector<std::size_t> long_steps_of(const Map& map, const std::vector<std::size_t>& keyframes) {
+  constexpr std::size_t kUntilUsual = 10;  // Steps after which long ones are known to be usual.
+  const std::vector<TrackedMotion>& motions = map.track.motions;
+  if (motions.size() != map.keyframes.size()) return {};
+  const auto is_usual = [&](std::size_t k) {
+    const std::size_t end = std::min(k + kUntilUsual, motions.size());
+    for (std::size_t i = k; i < end && motions[i].stretch == motions[k].stretch; ++i) {
+      if (motions[i].covariance.is_long_step) return true;
+    }
+    return false;
+  };
+  std::vector<std::size_t> steps;
+  for (std::size_t i = 1; i < keyframes.size(); ++i) {
+    const std::size_t k = keyframes[i];
+    if (keyframes[i - 1] + 1 != k || motions[k].stretch != motions[k - 1].stretch) continue;
+    if (is_usual(k)) steps.push_back(i);
+  }
+  return steps;
+}
+
 }  // namespace
 
 AuditedTrack audited_track(const Map& map) {
@@ -260,6 +281,7 @@ AuditedTrack audited_track(const Map& map) {
   track.breaks = breaks_of(map, scans);
   track.losses = keyframes_after(lost_scans(map), scans);
   track.restarts = keyframes_after(begins_pieces(map), scans);
+  track.long_steps = long_steps_of(map, track.keyframes);
   for (const MappedClosure& closure : map.closures) {
     if (!closure.closure.is_outvoted()) continue;
     const auto from = std::lower_bound(scans.begin(), scans.end(), closure.scan_i);

@@ -34,6 +34,8 @@ struct AuditedTrack {
   std::vector<std::size_t> losses;    ///< Keyframes before which tracking had lost a scan.
   std::vector<std::size_t> restarts;  ///< Keyframes at which tracking began anew: any turn is open.
   std::vector<AuditPair> outvoted;    ///< Ends of accepted closures that all others outvoted.
+  /// Keyframes to which a long step leads, one of many: tracking had it from a few matches.
+  std::vector<std::size_t> long_steps;
 
   [[nodiscard]] std::size_t size() const { return keyframes.size(); }
 };

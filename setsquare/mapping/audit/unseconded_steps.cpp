@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/mapping/audit/unseconded_steps.hpp"
+
+#include <algorithm>
+
+namespace setsquare {
+namespace {
+
+/// Scans of a pair lie at most so many steps apart: farther off they seldom see the same.
+constexpr std::size_t kMaxSteps = 3;
+
+/// The pairs of scans so many steps apart that span a step.
+std::vector<AuditPair> pairs_across(const std::vector<std::size_t>& steps,
+                                    std::size_t num_steps,
+                                    const AuditedTrack& track) {
+  std::vector<AuditPair> pairs;
+  for (const std::size_t step : steps) {
+    for (std::size_t behind = 0; behind < num_steps; ++behind) {
+      const std::size_t to = step + behind;
+      if (to < num_steps || to >= track.size()) continue;
+      pairs.push_back({to - num_steps, to});
+    }
+  }
+  return pairs;
+}
+
+}  // namespace
+
+std::vector<std::size_t> without_second(const std::vector<std::size_t>& steps,
+                                        std::span<const AuditMatch> matches,
+                                        const AuditedTrack& track,
+                                        const AuditParams& params) {
+  std::vector<int> majority(track.size(), 0);  // Of the matches that agree.
+  for (const AuditMatch& match : matches) {
+    if (match.pair.to - match.pair.from > kMaxSteps) continue;
+    const AuditOffset offset = audit_offset(match, track, params);
+    const bool agrees = offset.off_m < params.off_m && offset.off_rad < params.off_rad;
+    for (std::size_t k = match.pair.from + 1; k <= match.pair.to; ++k) {
+      majority[k] += agrees ? 1 : -1;
+    }
+  }
+  std::vector<std::size_t> left = steps;
+  std::erase_if(left, [&](std::size_t step) { return majority[step] > 0; });
+  return left;
+}
+
+std::vector<std::size_t> unseconded_steps(const AuditedTrack& track,
+                                          const AuditParams& params,
+                                          MatchedPairs& matched) {
+  for (const std::size_t num_steps : {std::size_t{1}, std::size_t{2}}) {
+    matched.match(pairs_across(track.long_steps, num_steps, track), MatchEffort::kQuick);
+  }
+  const auto left = [&] {
+    return without_second(track.long_steps, matched.matches(), track, params);
+  };
+  matched.match(pairs_across(left(), kMaxSteps, track), MatchEffort::kQuick);
+  return left();
+}
+
+}  // namespace setsquare
