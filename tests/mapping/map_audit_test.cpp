@@ -100,6 +100,21 @@ TEST(MapAudit, TheTrueTrajectoryIsNotDoubted) {
   }
 }
 
+/// Every few metres another error: no two matches ask for the same correction.
+TEST(MapAudit, WhereMostMatchesContradictTheMapAllOfItIsInDoubt) {
+  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2012);
+  std::vector<Pose2> poses = drive.T_map_sensor;
+  Random random(7);
+  for (std::size_t scan = 4; scan < poses.size(); scan += 4) {
+    poses = bent_at(poses, scan, {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0), 0.0});
+  }
+  const Map map = audited(drive, poses);
+  EXPECT_LE(map.audit->num_agreeing, map.audit->num_contradicting);
+  EXPECT_TRUE(std::ranges::any_of(map.doubts, [&](const MapDoubt& doubt) {
+    return doubt.kind == DoubtKind::kContradictingPairs && doubt.num_scans == map.scans.size();
+  }));
+}
+
 bool has_crossed_walls(const Map& map) {
   return std::ranges::any_of(
       map.doubts, [](const MapDoubt& doubt) { return doubt.kind == DoubtKind::kCrossedWalls; });

@@ -112,7 +112,7 @@ TEST(SpreadGraph, AStepThatNothingSecondsMayBeAWrongOneUntilAClosureTells) {
   };
   const std::size_t steps[] = {wrong};
   EXPECT_LT(sigmas({}, last).first, 0.1);
-  EXPECT_LT(sigmas(steps, wrong - 1).first, 0.5);
+  EXPECT_LT(sigmas(steps, wrong - 1).first, 0.5 * sigmas(steps, wrong).first);
   EXPECT_GT(sigmas(steps, last).first, 1.5);
   // Of the two sides of the step one holds the headings.
   EXPECT_GT(std::max(sigmas(steps, 0).second, sigmas(steps, last).second), rad_from_deg(15.0));

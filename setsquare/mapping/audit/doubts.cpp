@@ -24,6 +24,9 @@ constexpr std::size_t kMinOutvoted = 3;
 /// Those whose ends are no more scans apart are of the same part.
 constexpr double kOutvotedPart_m = 12.0;
 
+/// Matches that tell whether a map is right.
+constexpr std::size_t kFewestMatches = 6;
+
 /// Lost scans in a row are in doubt from so long, and such spreads, on.
 constexpr double kLongUnseen_s = 2.0;
 constexpr double kUnseenSigma_m = 1.0;
@@ -178,6 +181,21 @@ void add_contradictions(const Map& map,
             parts.num_places,
             parts.num_agreeing)));
   }
+}
+
+/// Matches that look alike contradict a map one by one; where no fewer contradict it than agree, it
+/// is the map, though no two of them say the same of it.
+void add_few_agreeing(const Map& map, const AuditReport& report, std::vector<MapDoubt>& doubts) {
+  const bool is_agreed = report.num_agreeing > report.num_contradicting;
+  if (is_agreed || report.num_matched < kFewestMatches) return;
+  const ScanRange all{0, map.scans.size() - 1};
+  doubts.push_back(doubt_at(map,
+                            DoubtKind::kContradictingPairs,
+                            all,
+                            map.scans.front().T_map_base.translation(),
+                            fmt::format("of {} independent matches only {} agree with the map",
+                                        report.num_matched,
+                                        report.num_agreeing)));
 }
 
 bool was_odometry_refused(const Map& map) {
@@ -439,6 +457,7 @@ std::vector<MapDoubt> doubts_of(const Map& map,
   std::vector<MapDoubt> doubts;
   add_mirrored(map, doubts);
   add_contradictions(map, findings, params, doubts);
+  add_few_agreeing(map, findings.report, doubts);
   add_outvoted_closures(map, doubts);
   add_crossed_walls(map, findings, doubts);
   add_unknown_lengths(map, findings, params, doubts);
