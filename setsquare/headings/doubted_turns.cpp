@@ -132,4 +132,19 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
   return turns;
 }
 
+std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns) {
+  std::ranges::stable_sort(turns, {}, &DoubtedTurn::from);
+  std::vector<DoubtedTurn> distinct;
+  for (const DoubtedTurn& turn : turns) {
+    if (distinct.empty() || turn.from >= distinct.back().to) {
+      distinct.push_back(turn);
+      continue;
+    }
+    DoubtedTurn& same = distinct.back();
+    same.to = std::max(same.to, turn.to);
+    if (std::abs(turn.turned_rad) > std::abs(same.turned_rad)) same.turned_rad = turn.turned_rad;
+  }
+  return distinct;
+}
+
 }  // namespace setsquare

@@ -29,4 +29,8 @@ struct DoubtedTurn {
                                                      const HeadingTraceParams& trace_params = {},
                                                      const DoubtedTurnParams& params = {});
 
+/// Each turn once, in the order of the keyframes: a step and a drift that overlap are one turn,
+/// over the keyframes of both and by the larger of the two.
+[[nodiscard]] std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns);
+
 }  // namespace setsquare
