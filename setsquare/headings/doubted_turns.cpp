@@ -132,6 +132,17 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
   return turns;
 }
 
+std::vector<DoubtedTurn> without_settled(std::vector<DoubtedTurn> turns,
+                                         std::span<const TurnedWalls> turned) {
+  std::erase_if(turns, [&](const DoubtedTurn& turn) {
+    return std::ranges::any_of(turned, [&](const TurnedWalls& walls) {
+      return (turn.from < walls.first && walls.first <= turn.to) ||
+             (turn.from < walls.end && walls.end <= turn.to);
+    });
+  });
+  return turns;
+}
+
 std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns) {
   std::ranges::stable_sort(turns, {}, &DoubtedTurn::from);
   std::vector<DoubtedTurn> distinct;

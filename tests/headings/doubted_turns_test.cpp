@@ -51,6 +51,18 @@ TEST(DoubtedTurns, AreSettledByMatches) {
   EXPECT_NEAR(std::abs(fused.frames[1].offset_rad), rad_from_deg(7.0), rad_from_deg(0.3));
 }
 
+TEST(DoubtedTurns, AreSettledWhereWallsAreKnownToBeTurned) {
+  const SimulatedHeadings simulated = walls_that_turn(rad_from_deg(7.0));
+  const std::vector<TurnedWalls> turned{
+      {.first = 200, .end = 400, .turn_rad = rad_from_deg(-6.5), .sigma_rad = rad_from_deg(0.5)}};
+  EXPECT_FALSE(fuse_headings(simulated.evidence).doubted.empty());
+  const FusedHeadings fused = fuse_headings(simulated.evidence, {}, turned);
+  EXPECT_TRUE(fused.doubted.empty());
+  ASSERT_EQ(fused.frames.size(), 2U);
+  EXPECT_NEAR(fused.frames[1].offset_rad, rad_from_deg(7.0), rad_from_deg(0.3));
+  EXPECT_NEAR(fused.frames[1].support, 200.0, 20.0);
+}
+
 TEST(DoubtedTurns, AStepAndADriftAtOnePlaceAreOneTurn) {
   const auto turns = distinct_turns({{.from = 40, .to = 41, .turned_rad = rad_from_deg(6.0)},
                                      {.from = 90, .to = 91, .turned_rad = rad_from_deg(5.0)},
