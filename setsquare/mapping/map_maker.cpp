@@ -294,7 +294,7 @@ Map MapMaker::map_of(const Closed& closed) const {
     graph.T_map_node = registered_poses(closed.closer, graph);
   }
   // The poses took each measurement as independent; covariances come from this graph.
-  spread_headings(log_.track, log_.shares_of_place, params_.heading_spread, graph);
+  spread_headings(log_.track, closed.headings, log_.shares_of_place, params_.heading_spread, graph);
   MapParts parts = parts_of_log();
   parts.headings = closed.headings;
   parts.compared = closed.closer.compared();
