@@ -132,4 +132,30 @@ std::vector<DoubtedTurn> doubted_turns(const std::vector<HeadingEvidence>& keyfr
   return turns;
 }
 
+std::vector<DoubtedTurn> without_settled(std::vector<DoubtedTurn> turns,
+                                         std::span<const TurnedWalls> turned) {
+  std::erase_if(turns, [&](const DoubtedTurn& turn) {
+    return std::ranges::any_of(turned, [&](const TurnedWalls& walls) {
+      return (turn.from < walls.first && walls.first <= turn.to) ||
+             (turn.from < walls.end && walls.end <= turn.to);
+    });
+  });
+  return turns;
+}
+
+std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns) {
+  std::ranges::stable_sort(turns, {}, &DoubtedTurn::from);
+  std::vector<DoubtedTurn> distinct;
+  for (const DoubtedTurn& turn : turns) {
+    if (distinct.empty() || turn.from >= distinct.back().to) {
+      distinct.push_back(turn);
+      continue;
+    }
+    DoubtedTurn& same = distinct.back();
+    same.to = std::max(same.to, turn.to);
+    if (std::abs(turn.turned_rad) > std::abs(same.turned_rad)) same.turned_rad = turn.turned_rad;
+  }
+  return distinct;
+}
+
 }  // namespace setsquare

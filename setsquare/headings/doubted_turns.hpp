@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "setsquare/headings/evidence.hpp"
@@ -28,5 +29,13 @@ struct DoubtedTurn {
                                                      const std::vector<double>& drift_rad,
                                                      const HeadingTraceParams& trace_params = {},
                                                      const DoubtedTurnParams& params = {});
+
+/// Without those that are decided: where walls begin or end that are known to be turned.
+[[nodiscard]] std::vector<DoubtedTurn> without_settled(std::vector<DoubtedTurn> turns,
+                                                       std::span<const TurnedWalls> turned);
+
+/// Each turn once, in the order of the keyframes: a step and a drift that overlap are one turn,
+/// over the keyframes of both and by the larger of the two.
+[[nodiscard]] std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns);
 
 }  // namespace setsquare

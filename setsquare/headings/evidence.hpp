@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace setsquare {
@@ -25,6 +26,15 @@ struct HeadingEvidence {
   /// that see the same walls, and counts as so much of a keyframe; its proposals' confidences
   /// are scaled likewise (share_place()).
   double share_of_place = 1.0;
+};
+
+/// Keyframes [first, end) whose walls stand to the building's at another angle than they seem to:
+/// what several places show that were seen before or behind as well.
+struct TurnedWalls {
+  std::size_t first = 0;
+  std::size_t end = 0;
+  double turn_rad = 0.0;   ///< To be added to the headings that the walls gave without it ...
+  double sigma_rad = 0.0;  ///< ... and its standard deviation.
 };
 
 }  // namespace setsquare

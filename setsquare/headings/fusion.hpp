@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "setsquare/headings/doubted_turns.hpp"
@@ -60,7 +61,12 @@ struct FusedHeadings {
 ///    offset, weighted by its confidence and sharpness; each tracked rotation binds two neighbours.
 ///    Weights of Geman-McClure, graduated from full weights (the scale falls to inlier_rad), each
 ///    step one exact solve (HeadingEquations).
+/// 5. Where walls are known to be turned, one after the other in the order of `turned`, they are
+///    those of another frame: one already seen, or one of their own, whose offset is measured by
+///    what is known of the turn and by the tracked rotations. Solved again. Turns that this decides
+///    are no longer doubted.
 [[nodiscard]] FusedHeadings fuse_headings(const std::vector<HeadingEvidence>& keyframes,
-                                          const HeadingFusionParams& params = {});
+                                          const HeadingFusionParams& params = {},
+                                          std::span<const TurnedWalls> turned = {});
 
 }  // namespace setsquare

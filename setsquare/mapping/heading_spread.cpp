@@ -71,7 +71,26 @@ double rotation_variance_scale(const KeyframeTrack& track,
   return num > 0.0 ? sum / num : 1.0;
 }
 
+void share_frame_offsets(const FusedHeadings& headings, double variance_scale, PoseGraph& graph) {
+  std::vector<double> information(headings.frames.size(), 0.0);
+  const auto frame_of = [&](const HeadingMeasurement& heading) {
+    const int frame = headings.frame[heading.node];
+    return frame > 0 ? static_cast<std::size_t>(frame) : 0;
+  };
+  for (const HeadingMeasurement& heading : graph.headings) {
+    information[frame_of(heading)] += heading.information_per_rad2;
+  }
+  for (HeadingMeasurement& heading : graph.headings) {
+    const std::size_t frame = frame_of(heading);
+    if (frame == 0) continue;
+    const double sigma_rad = headings.frames[frame].sigma_rad;
+    heading.information_per_rad2 /=
+        1.0 + variance_scale * sigma_rad * sigma_rad * information[frame];
+  }
+}
+
 void spread_headings(const KeyframeTrack& track,
+                     const FusedHeadings& headings,
                      std::span<const double> shares_of_place,
                      const HeadingSpreadParams& params,
                      PoseGraph& graph) {
@@ -86,6 +105,7 @@ void spread_headings(const KeyframeTrack& track,
   for (std::size_t m = 0; m < num_keyframes.size(); ++m) {
     graph.headings[m].information_per_rad2 /= std::max(1.0, num_keyframes[m]);
   }
+  if (headings.frames.size() > 1) share_frame_offsets(headings, std::max(1.0, scale), graph);
 }
 
 }  // namespace setsquare

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/graph/pose_graph.hpp"
+#include "setsquare/headings/fusion.hpp"
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 
@@ -28,13 +29,20 @@ namespace setsquare {
                                              const PoseGraph& graph,
                                              const HeadingSpreadParams& params);
 
+/// Divides the informations of the headings that walls of other frames than the main one measured,
+/// so that together they know a frame no better than its offset is known: it is an error that all
+/// of them share. `variance_scale`: of the offsets' variances, which rest on tracked rotations.
+void share_frame_offsets(const FusedHeadings& headings, double variance_scale, PoseGraph& graph);
+
 /// Makes the graph of a finished map tell how certain its headings are. What served the poses took
 /// each measurement of a heading for independent and each scanner for equally good:
 ///
 /// 1. The keyframes of one place have the information of one (keyframes_of_same_walls).
 /// 2. Tracked rotations are as uncertain as this log shows (rotation_variance_scale); where
 ///    something disturbed them, never more certain than stated.
+/// 3. A wing is turned as a whole by what its offset is off (share_frame_offsets).
 void spread_headings(const KeyframeTrack& track,
+                     const FusedHeadings& headings,
                      std::span<const double> shares_of_place,
                      const HeadingSpreadParams& params,
                      PoseGraph& graph);

@@ -174,7 +174,7 @@ void add_headings(const FusedHeadings& fused, Map& map) {
     }
     map.headings.push_back(heading);
   }
-  for (const DoubtedTurn& turn : fused.doubted) {
+  for (const DoubtedTurn& turn : distinct_turns(fused.doubted)) {
     map.undecided_turns.push_back({.first_scan = map.keyframes[turn.from],
                                    .last_scan = map.keyframes[turn.to],
                                    .turned_rad = turn.turned_rad});

@@ -14,6 +14,7 @@
 #include "setsquare/mapping/audit/seen_through.hpp"
 #include "setsquare/mapping/heading_spread.hpp"
 #include "setsquare/mapping/open_spread.hpp"
+#include "setsquare/mapping/outvoted_walls.hpp"
 #include "setsquare/mapping/registration.hpp"
 #include "setsquare/mapping/told_turns.hpp"
 #include "setsquare/mapping/track_certainty.hpp"
@@ -228,6 +229,7 @@ Map MapMaker::track_alone(const std::string& reason) const {
 
 Map MapMaker::map_closed_by(Closed closed) const {
   Map map = map_of(closed);
+  if (params_.outvoted.is_on) outvote_walls(closed, map);
   if (params_.anywhere.is_on) close_anywhere(closed, map);
   if (params_.audit.is_on) audit_and_mend(closed, map);
   return map;
@@ -292,7 +294,7 @@ Map MapMaker::map_of(const Closed& closed) const {
     graph.T_map_node = registered_poses(closed.closer, graph);
   }
   // The poses took each measurement as independent; covariances come from this graph.
-  spread_headings(log_.track, log_.shares_of_place, params_.heading_spread, graph);
+  spread_headings(log_.track, closed.headings, log_.shares_of_place, params_.heading_spread, graph);
   MapParts parts = parts_of_log();
   parts.headings = closed.headings;
   parts.compared = closed.closer.compared();
@@ -355,14 +357,26 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
   AuditFindings findings = audited(map);
   for (int round = 0; round < params_.audit.max_mendings; ++round) {
     const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
-    if (hypotheses.empty()) break;
-    std::vector<Closed> stories = closed_with_turns(closed, hypotheses);
-    stories.push_back(closed_with(closed, hypotheses));
+    std::vector<Closed> stories;
+    if (!hypotheses.empty()) {
+      stories = closed_with_turns(closed, hypotheses);
+      stories.push_back(closed_with(closed, hypotheses));
+    }
+    const std::size_t num_others = stories.size();
+    if (params_.outvoted.is_on) {
+      const std::vector<TurnedWalls> turned = outvoted_in(closed, &findings);
+      if (!turned.empty()) stories.push_back(closed_with_walls(closed, turned, hypotheses));
+    }
+    if (stories.empty()) break;
     bool is_mended = false;
-    for (Closed& story : stories) {
+    for (std::size_t i = 0; i < stories.size(); ++i) {
+      Closed& story = stories[i];
       Map told = map_of(story);
       AuditFindings of_told = audited(told);
-      if (!explains_more(of_told.report, findings.report)) continue;
+      const bool mends_headings =
+          i >= num_others && explains_as_much(of_told.report, findings.report) &&
+          num_places_against_in(story, &of_told) < num_places_against_in(closed, &findings);
+      if (!mends_headings && !explains_more(of_told.report, findings.report)) continue;
       closed = std::move(story);
       map = std::move(told);
       findings = std::move(of_told);
@@ -389,6 +403,46 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
   mended.closer.add_joints(mended.joined.joints);
   close_all_loops(mended);
   return mended;
+}
+
+std::vector<TurnedWalls> MapMaker::outvoted_in(const Closed& closed,
+                                               const AuditFindings* findings) const {
+  return outvoted_walls(closed.headings,
+                        evidence_of(closed.joined),
+                        ways_m_of(log_.track),
+                        seen_turns(closed.closer, findings),
+                        params_.outvoted);
+}
+
+MapMaker::Closed MapMaker::closed_with_walls(const Closed& closed,
+                                             std::span<const TurnedWalls> turned,
+                                             const std::vector<MapHypothesis>& hypotheses) const {
+  Closed with_turned = closed;
+  with_turned.turn_checks.turn_walls(turned);
+  with_turned.headings =
+      with_turned.turn_checks.fuse(log_.track, evidence_of(closed.joined), params_.heading);
+  return closed_with(with_turned, hypotheses);
+}
+
+std::size_t MapMaker::num_places_against_in(const Closed& closed,
+                                            const AuditFindings* findings) const {
+  return num_places_against(closed.headings,
+                            ways_m_of(log_.track),
+                            seen_turns(closed.closer, findings),
+                            params_.outvoted);
+}
+
+void MapMaker::outvote_walls(Closed& closed, Map& map) const {
+  for (int round = 0; round < params_.outvoted.max_rounds; ++round) {
+    const std::vector<TurnedWalls> turned = outvoted_in(closed, nullptr);
+    if (turned.empty()) return;
+    Closed again = closed_with_walls(closed, turned, {});
+    if (num_places_against_in(again, nullptr) >= num_places_against_in(closed, nullptr)) return;
+    Map turned_map = map_of(again);
+    if (num_seen_through_in(turned_map) > num_seen_through_in(map)) return;
+    closed = std::move(again);
+    map = std::move(turned_map);
+  }
 }
 
 std::vector<HeadingEvidence> MapMaker::evidence_of(const JoinedPieces& joined) const {

@@ -86,7 +86,9 @@ struct SettledLoops {
 ///    and the loops that are left are closed.
 /// 2. Weights of the closures by graduated non-convexity (solve_robustly), all keyframes registered
 ///    with their neighbours (register_keyframes), scans laid out between them (assemble_map).
-/// 3. The map is audited; where scans contradict it alike, its loops are closed again by them.
+/// 3. Where closures agree on how walls are turned that the headings took for others, these are
+///    outvoted (outvoted_walls), and all loops closed again.
+/// 4. The map is audited; where scans contradict it alike, its loops are closed again by them.
 class MapMaker {
  public:
   MapMaker(const TrackedLog& log, const MapperParams& params) : log_(log), params_(params) {}
@@ -138,6 +140,19 @@ class MapMaker {
   /// there, or it did not. One for each such turn that would explain what they say of the headings.
   [[nodiscard]] std::vector<Closed> closed_with_turns(
       const Closed& closed, const std::vector<MapHypothesis>& hypotheses) const;
+  /// Walls that the closures outvote, and matches of an audit, if there is one.
+  [[nodiscard]] std::vector<TurnedWalls> outvoted_in(const Closed& closed,
+                                                     const AuditFindings* findings) const;
+  /// All loops closed again with these walls turned.
+  [[nodiscard]] Closed closed_with_walls(const Closed& closed,
+                                         std::span<const TurnedWalls> turned,
+                                         const std::vector<MapHypothesis>& hypotheses) const;
+  /// Places at which closures, and matches of an audit, contradict the headings.
+  [[nodiscard]] std::size_t num_places_against_in(const Closed& closed,
+                                                  const AuditFindings* findings) const;
+  /// Turns walls that the closures outvote; a new map stays if fewer places contradict its
+  /// headings, and no more keyframes the map.
+  void outvote_walls(Closed& closed, Map& map) const;
   /// The map by the loops that were closed.
   [[nodiscard]] Map map_of(const Closed& closed) const;
   /// How the session whose keyframes these are was looked for.
@@ -148,8 +163,8 @@ class MapMaker {
   /// Closes loops behind open stretches, wherever they are (closures_anywhere).
   void close_anywhere(Closed& closed, Map& map) const;
   /// Matches scans of the map, and where they contradict it alike closes the loops again by them,
-  /// and decides turns by them; the new map stays if it explains more of all matches. Then the
-  /// doubts that are left.
+  /// and decides turns and turns walls by them; the new map stays if it explains more of all
+  /// matches. Then the doubts that are left.
   void audit_and_mend(Closed& closed, Map& map) const;
 
   /// Keyframes that the map contradicts.

@@ -30,6 +30,7 @@ void MapperParams::validate() const {
   heading.validate();
   turns.validate();
   closing.validate();
+  outvoted.validate();
   robust.validate();
   forgetting.validate();
   joining.validate();

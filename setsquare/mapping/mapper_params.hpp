@@ -192,6 +192,24 @@ struct TurnCheckParams {
   void validate() const;
 };
 
+/// Parameters of outvoted_walls.
+struct OutvotedWallsParams {
+  bool is_on =
+      true;  ///< Else walls alone decide the headings, also where closures contradict them.
+  double seen_sigma_rad = rad_from_deg(0.4);  ///< Of a turn that was seen, beside its own.
+  double min_turn_rad = rad_from_deg(1.5);    ///< What is off by less contradicts nothing, ...
+  double max_sigmas = 3.0;                    ///< ... nor what is by fewer sigmas.
+  double max_turn_rad = rad_from_deg(20.0);   ///< What asks for more sees alike corners.
+  double min_sigma_rad = rad_from_deg(0.2);   ///< Of a turn of walls.
+  double same_place_m = 2.0;   ///< What is seen within this of the same two places is one.
+  std::size_t min_places = 3;  ///< That must ask for a turn ...
+  double min_majority = 2.0;   ///< ... and how many times more than it would contradict.
+  int max_rounds = 2;          ///< Loops are closed again so often.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of MountingTrial.
 struct MountingTrialParams {
   /// Scans of a further scanner that must fit what the others saw before it is judged; with 0 every
@@ -270,6 +288,7 @@ struct MapperParams {
   HeadingFusionParams heading;         ///< Fuses the headings with the tracked rotations.
   TurnCheckParams turns;               ///< Asks matches about turns in doubt.
   LoopCloserParams closing;            ///< Closes loops.
+  OutvotedWallsParams outvoted;        ///< Tells walls that closures outvote.
   ForgettingParams forgetting;         ///< Forgets keyframes that show nothing new.
   PieceJoiningParams joining;          ///< Joins pieces of track.
   RobustPoseGraphParams robust;        ///< Decides which closures to believe.

@@ -177,8 +177,9 @@ FusedHeadings TurnChecks::with_turns_held(FusedHeadings fused,
     held.decide(turn, 0.0);
     is_any = true;
   }
-  if (!is_any) return fused;
-  FusedHeadings again = fuse_headings(held.checked(evidence), params);
+  if (!is_any && turned_.empty()) return fused;
+  FusedHeadings again = fuse_headings(held.checked(evidence), params, turned_);
+  if (!turned_.empty()) fused.doubted = without_settled(std::move(fused.doubted), turned_);
   again.doubted = std::move(fused.doubted);
   return again;
 }
@@ -191,12 +192,17 @@ void TurnChecks::decide(const DoubtedTurn& turn, double beyond_rad) {
   steps_[turn.to].slip_rad = beyond_rad;
 }
 
+void TurnChecks::turn_walls(std::span<const TurnedWalls> turned) {
+  turned_.insert(turned_.end(), turned.begin(), turned.end());
+}
+
 void TurnChecks::keep_only(std::span<const std::size_t> kept) {
   for (std::size_t i = 1; i < kept.size(); ++i) {
     const bool is_joined = kept[i] != kept[i - 1] + 1;
     steps_[i] = is_joined ? Step{.is_checked = true, .is_confirmed = true} : steps_[kept[i]];
   }
   steps_.resize(kept.size());
+  turned_.clear();
 }
 
 }  // namespace setsquare

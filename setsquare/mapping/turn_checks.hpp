@@ -28,6 +28,10 @@ class TurnChecks {
   /// `beyond_rad` more than was tracked. Nobody asks again.
   void decide(const DoubtedTurn& turn, double beyond_rad);
 
+  /// Walls that are turned, by what places show that were seen twice: as fuse_headings() takes
+  /// them, behind those that are known already.
+  void turn_walls(std::span<const TurnedWalls> turned);
+
   /// Of the keyframes only those of these indices, which ascend, are left. A step over some that
   /// are forgotten is confirmed: how far it turned was taken from headings that were fused.
   void keep_only(std::span<const std::size_t> kept);
@@ -46,6 +50,7 @@ class TurnChecks {
   bool check(const DoubtedTurn& turn, Matches& matches);
   /// The same headings with the turns that nobody decided held for other walls, where tracking
   /// would have slipped by far more than it errs: not of scans of few beams. They stay in doubt.
+  /// And with the walls turned that are known to be.
   [[nodiscard]] FusedHeadings with_turns_held(FusedHeadings fused,
                                               const KeyframeTrack& track,
                                               const std::vector<HeadingEvidence>& evidence,
@@ -61,7 +66,8 @@ class TurnChecks {
   void bridge(const DoubtedTurn& gap, Matches& matches);
 
   TurnCheckParams params_;
-  std::vector<Step> steps_;  ///< To each keyframe; the first is unused.
+  std::vector<Step> steps_;          ///< To each keyframe; the first is unused.
+  std::vector<TurnedWalls> turned_;  ///< Of the keyframes as they are now.
 };
 
 }  // namespace setsquare

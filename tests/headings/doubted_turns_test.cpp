@@ -51,6 +51,38 @@ TEST(DoubtedTurns, AreSettledByMatches) {
   EXPECT_NEAR(std::abs(fused.frames[1].offset_rad), rad_from_deg(7.0), rad_from_deg(0.3));
 }
 
+TEST(DoubtedTurns, AreSettledWhereWallsAreKnownToBeTurned) {
+  const SimulatedHeadings simulated = walls_that_turn(rad_from_deg(7.0));
+  const std::vector<TurnedWalls> turned{
+      {.first = 200, .end = 400, .turn_rad = rad_from_deg(-6.5), .sigma_rad = rad_from_deg(0.5)}};
+  EXPECT_FALSE(fuse_headings(simulated.evidence).doubted.empty());
+  const FusedHeadings fused = fuse_headings(simulated.evidence, {}, turned);
+  EXPECT_TRUE(fused.doubted.empty());
+  ASSERT_EQ(fused.frames.size(), 2U);
+  EXPECT_NEAR(fused.frames[1].offset_rad, rad_from_deg(7.0), rad_from_deg(0.3));
+  EXPECT_NEAR(fused.frames[1].support, 200.0, 20.0);
+}
+
+TEST(DoubtedTurns, AStepAndADriftAtOnePlaceAreOneTurn) {
+  const auto turns = distinct_turns({{.from = 40, .to = 41, .turned_rad = rad_from_deg(6.0)},
+                                     {.from = 90, .to = 91, .turned_rad = rad_from_deg(5.0)},
+                                     {.from = 38, .to = 43, .turned_rad = rad_from_deg(-9.0)},
+                                     {.from = 43, .to = 44, .turned_rad = rad_from_deg(4.0)}});
+  ASSERT_EQ(turns.size(), 3U);
+  EXPECT_EQ(turns[0].from, 38U);
+  EXPECT_EQ(turns[0].to, 43U);
+  EXPECT_DOUBLE_EQ(turns[0].turned_rad, rad_from_deg(-9.0));
+  EXPECT_EQ(turns[1].from, 43U) << "beside it, another one";
+  EXPECT_EQ(turns[2].from, 90U);
+}
+
+// A sure step of six degrees is seen by its two keyframes and by the drift alike.
+TEST(DoubtedTurns, AreListedTwiceWithoutThat) {
+  const FusedHeadings fused = fuse_headings(walls_that_turn(rad_from_deg(-6.0)).evidence);
+  EXPECT_GT(fused.doubted.size(), 1U);
+  EXPECT_EQ(distinct_turns(fused.doubted).size(), 1U);
+}
+
 TEST(DoubtedTurns, RefuseWrongParameters) {
   EXPECT_THROW(DoubtedTurnParams{.num_steps = 0}.validate(), ParameterError);
   EXPECT_THROW(DoubtedTurnParams{.min_rad = 0.0}.validate(), ParameterError);

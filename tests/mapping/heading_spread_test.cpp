@@ -78,7 +78,7 @@ struct Corridor {
     const std::size_t n = graph.T_map_node.size();
     if (!num_alike) {
       spread_headings(
-          undisturbed_track(n), std::vector<double>(n, 1.0), {.num_assumed = 1e9}, graph);
+          undisturbed_track(n), {}, std::vector<double>(n, 1.0), {.num_assumed = 1e9}, graph);
       return;
     }
     for (HeadingMeasurement& heading : graph.headings) heading.information_per_rad2 /= *num_alike;
@@ -140,6 +140,66 @@ TEST(HeadingSpread, StatedSpreadsAreThoseOfTheErrorsWhereWallsAreSeenOnSeveralPa
   // The rule switched off: neighbours count as a sixth each, and each keyframe counts alone.
   EXPECT_GT(normalised_square(6.0), 2.0 * stated);
   EXPECT_GT(normalised_square(1.0), 5.0 * stated);
+}
+
+/// A drive from one wing to another one, whose offset is known by the tracked rotation at the joint
+/// alone: all that its walls measure is off by the error of that.
+struct TwoWings {
+  static constexpr std::size_t kPerWing = 40;
+  static constexpr double kJointSigma_rad = rad_from_deg(0.8);
+
+  explicit TwoWings(std::mt19937_64& generator) {
+    const double off_rad = normal(generator, kJointSigma_rad);
+    headings.frames = {{}, {.offset_rad = 0.3, .sigma_rad = kJointSigma_rad}};
+    for (std::size_t k = 0; k < 2 * kPerWing; ++k) {
+      const bool is_second = k >= kPerWing;
+      const double shared_rad = is_second ? off_rad : 0.0;
+      graph.T_map_node.push_back({static_cast<double>(k) * kStep_m, 0.0, 0.0});
+      graph.headings.push_back({k,
+                                shared_rad + normal(generator, kOwnSigma_rad),
+                                1.0 / (kOwnSigma_rad * kOwnSigma_rad)});
+      headings.frame.push_back(is_second ? 1 : 0);
+      if (k == 0) continue;
+      const bool is_joint = k == kPerWing;
+      const double sigma_rad = is_joint ? kJointSigma_rad : kStepSigma_rad;
+      const double turned_rad = is_joint ? off_rad : normal(generator, kStepSigma_rad);
+      graph.constraints.push_back(motion_to(k, turned_rad, sigma_rad));
+    }
+  }
+
+  PoseGraph graph;
+  FusedHeadings headings;
+};
+
+/// Mean square of the second wing's headings' errors over their stated variances, of many logs.
+double normalised_square_of_wing(bool shares_offset) {
+  std::mt19937_64 generator = testing::make_generator();
+  constexpr int kNumLogs = 200;
+  double sum = 0.0;
+  for (int i = 0; i < kNumLogs; ++i) {
+    TwoWings wings(generator);
+    if (shares_offset) share_frame_offsets(wings.headings, 1.0, wings.graph);
+    const DenseHeadings dense(wings.graph);
+    const Eigen::ArrayXd squares =
+        dense.heading_rad.array().square() / dense.covariance.diagonal().array();
+    sum += squares.tail(TwoWings::kPerWing).mean() / kNumLogs;
+  }
+  return sum;
+}
+
+TEST(HeadingSpread, AWingIsTurnedAsAWholeByWhatItsOffsetIsOff) {
+  EXPECT_LT(normalised_square_of_wing(true), 2.5);
+  EXPECT_GT(normalised_square_of_wing(true), 0.5);
+  EXPECT_GT(normalised_square_of_wing(false), 10.0) << "the rule switched off";
+}
+
+TEST(HeadingSpread, TheMainFrameIsAsCertainAsBefore) {
+  std::mt19937_64 generator = testing::make_generator();
+  TwoWings wings(generator);
+  const double before = wings.graph.headings[3].information_per_rad2;
+  share_frame_offsets(wings.headings, 4.0, wings.graph);
+  EXPECT_DOUBLE_EQ(wings.graph.headings[3].information_per_rad2, before);
+  EXPECT_LT(wings.graph.headings[TwoWings::kPerWing].information_per_rad2, 0.1 * before);
 }
 
 /// Variance in the middle of a corridor.
@@ -248,7 +308,7 @@ TEST(HeadingSpread, DisturbedMotionsAreNotJudgedAndNeverMoreCertain) {
     for (std::size_t k = 200; k <= 300; ++k) track.pieces[k] = 1;
     const double stated = graph.constraints[6].information(2, 2);
     const double of_joint = graph.constraints[199].information(2, 2);
-    spread_headings(track, std::vector<double>(301, 1.0), {}, graph);
+    spread_headings(track, {}, std::vector<double>(301, 1.0), {}, graph);
     EXPECT_LE(graph.constraints[6].information(2, 2), stated);
     EXPECT_LE(graph.constraints[199].information(2, 2), of_joint);
     const bool is_surer = graph.constraints[5].information(2, 2) > stated;

@@ -160,6 +160,17 @@ void add_closing(std::vector<Number>& numbers) {
                  {"extent_share", &Anywhere::extent_share, Zero::kIsFine},
                  {"min_kept", &Anywhere::min_kept, Zero::kIsFine}},
                 numbers);
+  using Outvoted = OutvotedWallsParams;
+  add<Outvoted>([](MapperParams& p) -> Outvoted& { return p.outvoted; },
+                "outvoted.",
+                {{"seen_sigma_rad", &Outvoted::seen_sigma_rad},
+                 {"min_turn_rad", &Outvoted::min_turn_rad},
+                 {"max_sigmas", &Outvoted::max_sigmas},
+                 {"max_turn_rad", &Outvoted::max_turn_rad},
+                 {"min_sigma_rad", &Outvoted::min_sigma_rad},
+                 {"same_place_m", &Outvoted::same_place_m},
+                 {"min_majority", &Outvoted::min_majority}},
+                numbers);
   using Audit = AuditParams;
   add<Audit>([](MapperParams& p) -> Audit& { return p.audit; },
              "audit.",
@@ -211,6 +222,7 @@ TEST(MapperParams, ACountOfNoneIsNamed) {
       {"anywhere.max_num_places", [](P& p) { p.anywhere.max_num_places = 0; }},
       {"anywhere.num_alike", [](P& p) { p.anywhere.num_alike = 0; }},
       {"anywhere.min_places", [](P& p) { p.anywhere.min_places = 0; }},
+      {"outvoted.min_places", [](P& p) { p.outvoted.min_places = 0; }},
       {"audit.min_num_pairs", [](P& p) { p.audit.min_num_pairs = 0; }},
       {"audit.min_seconded", [](P& p) { p.audit.min_seconded = 0; }},
   };

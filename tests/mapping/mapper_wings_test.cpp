@@ -116,4 +116,27 @@ TEST(MapperWings, AreTakenForSlipsWithoutBoth) {
   }
 }
 
+/// Nothing tells wings from slips, nor does what contradicts the map decide a turn.
+MapperParams of_walls_alone() {
+  MapperParams params = without_matches();
+  params.turns.unlikely_slip_sigmas = 1e3;
+  params.turns.agreeing_rad = 1e-6;
+  params.audit.is_on = true;
+  return params;
+}
+
+// Walls that were taken for the wrong ones are outvoted by scans that see the joint from both
+// sides.
+TEST(MapperWings, AreOutvotedWhereTheWallsAreTakenForOthers) {
+  for (std::uint64_t seed = 11; seed < 11 + kNumSeeds; ++seed) {
+    const double angle_deg =
+        (seed % 2 == 0 ? 1.0 : -1.0) * (5.0 + 2.6 * static_cast<double>(seed - 11));
+    const Drive drive(seed, rad_from_deg(angle_deg));
+    MapperParams params = of_walls_alone();
+    EXPECT_LT(worst_heading_rad(drive, params), rad_from_deg(1.0)) << seed << ": " << angle_deg;
+    params.outvoted.is_on = false;
+    EXPECT_GT(worst_heading_rad(drive, params), rad_from_deg(2.5)) << seed << ": " << angle_deg;
+  }
+}
+
 }  // namespace setsquare::mapper_wings_test

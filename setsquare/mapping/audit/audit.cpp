@@ -124,6 +124,11 @@ bool explains_more(const AuditReport& mended, const AuditReport& before) {
          mended.num_agreeing * before.num_matched > before.num_agreeing * mended.num_matched;
 }
 
+bool explains_as_much(const AuditReport& mended, const AuditReport& before) {
+  return mended.num_seconded <= before.num_seconded &&
+         mended.num_agreeing * before.num_matched >= before.num_agreeing * mended.num_matched;
+}
+
 void audit_map(Map& map,
                std::span<const ScanSurfacesPtr> surfaces,
                const AuditParams& params,

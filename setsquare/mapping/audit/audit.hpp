@@ -66,6 +66,9 @@ void add_findings(const AuditFindings& findings, const AuditParams& params, Map&
 /// fewer contradict it alike.
 [[nodiscard]] bool explains_more(const AuditReport& mended, const AuditReport& before);
 
+/// Whether a map explains at least as much of all matches as another.
+[[nodiscard]] bool explains_as_much(const AuditReport& mended, const AuditReport& before);
+
 /// Both: audit() and add_findings().
 void audit_map(Map& map,
                std::span<const ScanSurfacesPtr> surfaces,
