@@ -22,6 +22,7 @@
 #include "setsquare/localisation/localizer.hpp"
 #include "setsquare/localisation/locate_scan.hpp"
 #include "setsquare/localisation/place_probability.hpp"
+#include "setsquare/localisation/view_probability.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -68,6 +69,7 @@ class SingleScans {
     num_among_ += std::ranges::any_of(located.places, place_is_right);
     num_localised_right_ += right && is_localised;
     num_localised_wrong_ += !right && is_localised;
+    if (!right && is_localised) print_wrong(place, located.places.front());
     num_right_ambiguous_ += right && located.status == LocalisationStatus::kAmbiguous;
     num_right_lost_ += right && located.status == LocalisationStatus::kLost;
     if (!right) return;
@@ -96,6 +98,17 @@ class SingleScans {
   }
 
  private:
+  static void print_wrong(const KnownPlace& place, const PossiblePlace& best) {
+    const auto print_pose = [](const Pose2& T) {
+      std::printf(" (%.2f m, %.2f m, %.1f deg)", T.x_m, T.y_m, deg_from_rad(T.theta_rad));
+    };
+    std::printf(
+        "localised wrongly, probability %.4f, overlap %.2f:", best.probability, place.overlap);
+    print_pose(best.T_map_sensor);
+    if (place.T_map_sensor) print_pose(*place.T_map_sensor);
+    std::printf("\n");
+  }
+
   std::size_t num_ = 0;
   std::size_t num_best_right_ = 0;
   std::size_t num_among_ = 0;
@@ -186,13 +199,23 @@ void follow(const std::string& log_path, double every_m, double way_m) {
       100.0 * share(num_beyond, errors_m.size()));
 }
 
-/// A line for each scan, then one for each of its places: whether it is right, and its features.
+/// A line for each scan, then one for each of its places: whether it is right, whether scans of the
+/// map tell of it, and its features, those by the scans last.
 void print_examples(const KnownPlace& place) {
   std::printf("scan\n");
-  for (const VerifiedPlace& found : search_places(place.map, sought_scan(place.scan))) {
-    const Pose2 T_map_sensor = place.map.T_map_grid() * found.T_grid_sensor;
-    std::printf("%d", place.T_map_sensor && is_right(T_map_sensor, *place.T_map_sensor) ? 1 : 0);
-    for (const double feature : place_features(found)) std::printf(" %.6g", feature);
+  const SoughtScan sought = sought_scan(place.scan);
+  const std::vector<VerifiedPlace> places = search_places(place.map, sought);
+  std::vector<SeenByViews> seen;
+  for (const VerifiedPlace& found : places) {
+    seen.push_back(seen_by_views(place.map.views(), sought.prepared, found.T_grid_sensor));
+  }
+  const ViewSharpness sharpness = view_sharpness(seen);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Pose2 T_map_sensor = place.map.T_map_grid() * places[i].T_grid_sensor;
+    const bool right = place.T_map_sensor && is_right(T_map_sensor, *place.T_map_sensor);
+    std::printf("%d %d", right ? 1 : 0, seen[i].num_views > 0 ? 1 : 0);
+    for (const double feature : place_features(places[i])) std::printf(" %.6g", feature);
+    for (const double feature : view_features(seen[i], sharpness)) std::printf(" %.6g", feature);
     std::printf("\n");
   }
 }

@@ -47,11 +47,11 @@ SimulatedScan still_scan(const RayCaster& caster,
       caster, people, scanner, path, time_s, random, {0.0, 0.0, T_map_sensor.theta_rad});
 }
 
-/// The grid of a share of the route, from its start on.
-OccupancyGrid grid_of_route(const Building& building,
-                            const RayCaster& caster,
-                            std::uint64_t seed,
-                            double share = 1.0) {
+/// The map of a share of the route, from its start on.
+KnownMap map_of_route(const Building& building,
+                      const RayCaster& caster,
+                      std::uint64_t seed,
+                      double share = 1.0) {
   const RobotPath path(building.route_m);
   Random random(sub_seed(seed, 31));
   std::vector<SimulatedScan> scans;
@@ -63,7 +63,7 @@ OccupancyGrid grid_of_route(const Building& building,
   for (const SimulatedScan& scan : scans) placed.push_back({&scan.scan, scan.T_map_base});
   GridFromScansParams params;
   params.resolution_m = seed % 2 == 0 ? 0.05 : 0.1;
-  return grid_from_scans(placed, 0.0, params);
+  return KnownMap(grid_from_scans(placed, 0.0, params), placed);
 }
 
 /// The building some time later: of its furniture and clutter a part has moved, a part is gone.
@@ -147,9 +147,9 @@ void visit_building(BuildingClass building_class,
   const Building building = make_building(building_class, seed);
   const RayCaster caster(building.plan);
   const double share = is_partly_mapped ? 0.5 : 1.0;
-  const KnownMap map(grid_of_route(building, caster, seed, share));
+  const KnownMap map = map_of_route(building, caster, seed, share);
   // Places of the whole building, whether they are in the map or not.
-  const KnownMap whole(grid_of_route(building, caster, seed));
+  const KnownMap whole = map_of_route(building, caster, seed);
   Random random(sub_seed(seed, 32));
   const RayCaster later(refurnished(building.plan, random));
   for (std::size_t k = 0; k < num_scans; ++k) {
@@ -188,7 +188,7 @@ MappedHalf mapped_half(const std::string& log_path, bool maps_second) {
     half.T_map_sensor.push_back(scan.is_placed ? std::optional(T_part_whole * scan.T_map_sensor)
                                                : std::nullopt);
   }
-  half.map = std::make_shared<const KnownMap>(occupancy_grid(part));
+  half.map = std::make_shared<const KnownMap>(part);
   return half;
 }
 

@@ -31,7 +31,7 @@ PyKnownMap known_map_from(const py::object& map) {
   }
   if (py::isinstance<PyMap>(map)) {
     const auto& mapped = map.cast<const PyMap&>();
-    return without_gil([&] { return std::make_shared<KnownMap>(occupancy_grid(mapped.map())); });
+    return without_gil([&] { return std::make_shared<KnownMap>(mapped.map()); });
   }
   const std::string path = path_from(map);
   return without_gil([&] { return std::make_shared<KnownMap>(read_grid_to_localise_in(path)); });
@@ -141,7 +141,8 @@ void bind_localisation(py::module_& module) {
   py::class_<KnownMap, PyKnownMap>(module, "KnownMap", R"(A map made ready to find scans in it.
 
 map: an OccupancyGrid, a Map, or a path: a folder that Map.save or `setsquare map` wrote, or the
-map.yaml of any program (nav2). Made once, shared by any number of threads. Raises FileError,
+map.yaml of any program (nav2). A Map's own scans tell places apart that are alike in a grid
+(locate). Made once, shared by any number of threads. Raises FileError,
 FormatError.)")
       .def(py::init(&known_map_from), py::arg("map"))
       .def_property_readonly(

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
+#include "setsquare/grid/placed_scan.hpp"
 #include "setsquare/localisation/map_correlation.hpp"
+#include "setsquare/localisation/map_views.hpp"
 #include "setsquare/localisation/wall_distance.hpp"
 
 namespace setsquare {
+
+struct Map;  // setsquare/map/map.hpp
 
 /// A map made ready to find scans in it: once, in some tenths of a second for a building, and never
 /// changed.
@@ -15,6 +22,11 @@ class KnownMap {
  public:
   /// Of an occupancy grid, of whichever program (read_map_pgm_yaml).
   explicit KnownMap(const OccupancyGrid& grid);
+  /// The same with scans of which the grid was made: what single walls look like from single places
+  /// tells apart what is alike in a grid. They are not needed any longer.
+  KnownMap(const OccupancyGrid& grid, std::span<const PlacedScan> scans, int num_threads = 1);
+  /// Of a map's grid and of its keyframes' scans.
+  explicit KnownMap(const Map& map, int num_threads = 1);
 
   /// The pose of the grid, in whose frame places are searched.
   [[nodiscard]] const Pose2& T_map_grid() const { return T_map_grid_; }
@@ -22,6 +34,8 @@ class KnownMap {
   [[nodiscard]] const WallDistance& walls() const { return walls_; }
   /// With which scans are correlated.
   [[nodiscard]] const MapCorrelation& correlation() const { return correlation_; }
+  /// What its scans saw, where it has any; in the grid's frame.
+  [[nodiscard]] const std::vector<MapView>& views() const { return views_; }
   /// Whether it has walls and free space at all.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
@@ -29,6 +43,7 @@ class KnownMap {
   Pose2 T_map_grid_;
   WallDistance walls_;
   MapCorrelation correlation_;
+  std::vector<MapView> views_;
   bool is_empty_ = true;
 };
 

@@ -13,17 +13,19 @@ void require_share(double value, const char* name) {
 
 }  // namespace
 
-void PlaceSearchParams::validate() const {
-  require_at_least_one(num_rotations, "search.num_rotations");
-  require_at_least_one(num_proposals, "search.num_proposals");
-  require_at_least_one(num_compared, "search.num_compared");
-  require_at_least_one(num_verified, "search.num_verified");
+void PlaceSearchParams::validate(const std::string& owner) const {
+  require_at_least_one(num_rotations, owner + ".num_rotations");
+  require_at_least_one(num_proposals, owner + ".num_proposals");
+  require_at_least_one(num_compared, owner + ".num_compared");
+  require_at_least_one(num_verified, owner + ".num_verified");
 }
 
 void LocalisationParams::validate() const {
-  search.validate();
+  search.validate("search");
+  search_again.validate("search_again");
   require_share(min_probability, "min_probability");
   require_share(min_probability_at_once, "min_probability_at_once");
+  require_share(min_probability_by_views, "min_probability_by_views");
   require_share(min_in_map, "min_in_map");
   require_not_negative(evidence_m, "evidence_m");
   require_not_negative(evidence_rad, "evidence_rad");

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 
 #include "setsquare/core/angle.hpp"
 
@@ -15,16 +16,22 @@ struct PlaceSearchParams {
   std::size_t num_compared = 120;   ///< Best of those, all different, compared range by range.
   std::size_t num_verified = 30;    ///< Best of those, verified.
 
-  /// Throws ParameterError that names the field.
-  void validate() const;
+  /// Throws ParameterError that names the field as one of `owner`.
+  void validate(const std::string& owner) const;
 };
 
 /// How scan after scan is followed in a map. Every default works.
 struct LocalisationParams {
-  PlaceSearchParams search;                ///< How places are found.
+  PlaceSearchParams search;  ///< How places are found.
+  /// How they are where one scan is all there is and the first search finds no certain place, at
+  /// the rotations of the first: views into parts that are not mapped agree with the map less than
+  /// many a wrong place does.
+  PlaceSearchParams search_again{.num_proposals = 2000, .num_compared = 600, .num_verified = 60};
   double min_probability = 0.97;           ///< Of one place: localised.
   double min_probability_at_once = 0.985;  ///< The same where one scan is all there is.
-  double min_in_map = 0.5;                 ///< Of all places together: ambiguous, else lost.
+  /// The same where the map's own scans tell it (KnownMap::views).
+  double min_probability_by_views = 0.99;
+  double min_in_map = 0.5;  ///< Of all places together: ambiguous, else lost.
   /// Scans speak for or against places, and are searched for while the place is not known, after
   /// this way or turn: nearer ones tell the same again.
   double evidence_m = 0.4;

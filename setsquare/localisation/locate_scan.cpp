@@ -4,11 +4,14 @@
 
 #include <algorithm>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/place_covariance.hpp"
 #include "setsquare/localisation/place_probability.hpp"
 #include "setsquare/localisation/place_search.hpp"
+#include "setsquare/localisation/view_probability.hpp"
 
 namespace setsquare {
 
@@ -20,11 +23,32 @@ LocalisationStatus status_of(double best,
   return in_map >= params.min_in_map ? LocalisationStatus::kAmbiguous : LocalisationStatus::kLost;
 }
 
-LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
-  const std::vector<VerifiedPlace> found = search_places(map, sought_scan(scan), params.search);
+namespace {
+
+/// Log odds of each place, by the grid.
+std::vector<double> log_odds_by_grid(std::span<const VerifiedPlace> found) {
   const PlaceScale scale = place_scale(found, true);
   std::vector<double> log_odds;
   for (const VerifiedPlace& place : found) log_odds.push_back(place_log_odds(place, scale));
+  return log_odds;
+}
+
+/// The same by the scans of the map, too.
+std::vector<double> log_odds_by_all(const KnownMap& map,
+                                    const SoughtScan& sought,
+                                    std::span<const VerifiedPlace> found) {
+  std::vector<SeenByViews> seen;
+  for (const VerifiedPlace& place : found) {
+    seen.push_back(seen_by_views(map.views(), sought.prepared, place.T_grid_sensor));
+  }
+  return log_odds_by_views(found, seen);
+}
+
+LocatedScan located_by(const KnownMap& map,
+                       std::span<const VerifiedPlace> found,
+                       std::span<const double> log_odds,
+                       double min_probability,
+                       const LocalisationParams& params) {
   const std::vector<double> probabilities = place_probabilities(log_odds);
   constexpr double kLeast = 0.001;
   LocatedScan located;
@@ -38,8 +62,28 @@ LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const Localisatio
   std::ranges::stable_sort(located.places, std::ranges::greater{}, &PossiblePlace::probability);
   const double in_map = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
   const double best = located.places.empty() ? 0.0 : located.places.front().probability;
-  located.status = status_of(best, params.min_probability_at_once, in_map, params);
+  located.status = status_of(best, min_probability, in_map, params);
   return located;
+}
+
+}  // namespace
+
+LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
+  const SoughtScan sought = sought_scan(scan);
+  PlaceSearch search(map,
+                     sought,
+                     params.search.num_rotations,
+                     std::max(params.search.num_proposals, params.search_again.num_proposals));
+  const std::vector<VerifiedPlace> found = search.best(params.search);
+  const double at_once = params.min_probability_at_once;
+  const LocatedScan located = located_by(map, found, log_odds_by_grid(found), at_once, params);
+  if (located.status == LocalisationStatus::kLocalised) return located;
+  const std::vector<VerifiedPlace> wider = search.best(params.search_again);
+  if (map.views().empty()) {
+    return located_by(map, wider, log_odds_by_grid(wider), at_once, params);
+  }
+  const std::vector<double> log_odds = log_odds_by_all(map, sought, wider);
+  return located_by(map, wider, log_odds, params.min_probability_by_views, params);
 }
 
 }  // namespace setsquare

@@ -38,7 +38,9 @@ struct LocatedScan {
                                            const LocalisationParams& params);
 
 /// Where in a map a scan was taken, of which nothing is known: the whole map is searched
-/// (search_places), at every rotation. Throws ParameterError where the scan's geometry is not valid
+/// (PlaceSearch), at every rotation. Where no place is certain it is searched again, wider, and the
+/// places are compared with what the map's own scans saw about them, where it has any
+/// (KnownMap::views). Throws ParameterError where the scan's geometry is not valid
 /// (Scan::validate).
 [[nodiscard]] LocatedScan locate_scan(const KnownMap& map,
                                       const Scan& scan,

@@ -13,9 +13,6 @@
 namespace setsquare {
 namespace {
 
-/// Metres beyond which a metre more tells less and less.
-double in_pieces(double length, double unit) { return std::log1p(std::max(0.0, length) / unit); }
-
 // Conditional logistic regression (benchmarks/localisation/fit) over 2369 scans: of simulated
 // buildings, seeds 1 to 3, mapped whole or in part, by five scanners, whose furniture had moved
 // meanwhile; and of csail, freiburg-101, orebro and seattle, each half in the other's map.
@@ -56,6 +53,8 @@ double weighted(const PlaceFeatures& features, const PlaceFeatures& weights) {
 
 }  // namespace
 
+double in_pieces(double length, double unit) { return std::log1p(std::max(0.0, length) / unit); }
+
 PlaceFeatures place_features(const VerifiedPlace& place) {
   constexpr double kPiece_m = 0.25;
   const WallKinds& seen = place.kinds.forward;
@@ -81,10 +80,14 @@ double presence_log_odds(const PlaceFeatures& features) {
 }
 
 PlaceStanding place_standing(std::span<const VerifiedPlace> places) {
+  std::vector<double> ranks;
+  for (const VerifiedPlace& place : places) ranks.push_back(place_rank(place_features(place)));
+  return place_standing(places, ranks);
+}
+
+PlaceStanding place_standing(std::span<const VerifiedPlace> places, std::span<const double> ranks) {
   std::vector<std::pair<double, const VerifiedPlace*>> ranked;
-  for (const VerifiedPlace& place : places) {
-    ranked.emplace_back(place_rank(place_features(place)), &place);
-  }
+  for (std::size_t i = 0; i < places.size(); ++i) ranked.emplace_back(ranks[i], &places[i]);
   std::ranges::stable_sort(ranked, std::ranges::greater{}, &decltype(ranked)::value_type::first);
   constexpr std::size_t kNumOthers = 5;
   std::vector<std::pair<double, const VerifiedPlace*>> different;

@@ -15,6 +15,9 @@ namespace setsquare {
 inline constexpr std::size_t kNumPlaceFeatures = 12;
 using PlaceFeatures = std::array<double, kNumPlaceFeatures>;
 
+/// A length in units beyond which a metre more tells less and less.
+[[nodiscard]] double in_pieces(double length, double unit);
+
 /// What was measured at a place, as the numbers that its rank and its odds are weighted sums of.
 [[nodiscard]] PlaceFeatures place_features(const VerifiedPlace& place);
 
@@ -35,6 +38,9 @@ struct PlaceStanding {
 
 /// Of at least one place, in any order; places that are one (is_one_place) count once.
 [[nodiscard]] PlaceStanding place_standing(std::span<const VerifiedPlace> places);
+/// The same by other ranks than place_rank, one per place.
+[[nodiscard]] PlaceStanding place_standing(std::span<const VerifiedPlace> places,
+                                           std::span<const double> ranks);
 
 /// Log odds that a scan was taken in the map at all, by the best of all places and its standing.
 [[nodiscard]] double presence_log_odds(const VerifiedPlace& best, const PlaceStanding& standing);

@@ -18,12 +18,6 @@
 namespace setsquare {
 namespace {
 
-/// A place on its way from proposal to verification.
-struct RoughPlace {
-  Pose2 T_grid_sensor;
-  double fit = -1.0;
-};
-
 constexpr float kFitTolerance_m = 0.3F;
 
 /// How the samples fall on the walls: 1 where all lie on them, -1 where all lie in free space.
@@ -91,15 +85,14 @@ Pose2 stepped(const WallDistance& walls,
           wrap_to_pi(T.theta_rad + std::clamp(step.z(), -kMaxTurn_rad, kMaxTurn_rad))};
 }
 
-RoughPlace moved_onto_walls(const WallDistance& walls,
-                            const SurfaceSamples& samples,
-                            const Pose2& proposed) {
-  RoughPlace place{proposed};
+Pose2 moved_onto_walls(const WallDistance& walls,
+                       const SurfaceSamples& samples,
+                       const Pose2& proposed) {
+  Pose2 T = proposed;
   for (const float tolerance_m : {0.6F, 0.45F, 0.35F, 0.25F}) {
-    place.T_grid_sensor = stepped(walls, samples, place.T_grid_sensor, tolerance_m);
+    T = stepped(walls, samples, T, tolerance_m);
   }
-  place.fit = fit_at(walls, samples, place.T_grid_sensor);
-  return place;
+  return T;
 }
 
 ComparedBeams compared_beams(const Scan& scan) {
@@ -179,18 +172,21 @@ double whole_fit(double fit_on_walls, const RangeAgreement& ranges) {
   return 0.5 * (fit_on_walls + ranges.mean);
 }
 
+/// The best of the whole map, the highest correlation first.
 std::vector<MapProposal> propose_places(const KnownMap& map,
                                         const SoughtScan& scan,
-                                        const PlaceSearchParams& params) {
+                                        std::size_t num_rotations,
+                                        std::size_t num_proposals) {
   std::vector<MapProposal> proposals;
   MapCorrelation::Scratch scratch;
   int min_correlation = static_cast<int>(scan.proposing.size()) / 3;
-  for (std::size_t i = 0; i < params.num_rotations; ++i) {
-    const double share = static_cast<double>(i) / static_cast<double>(params.num_rotations);
+  for (std::size_t i = 0; i < num_rotations; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(num_rotations);
     const double rotation_rad = wrap_to_pi(share * kTwoPi);
     map.correlation().propose(scan.proposing, rotation_rad, min_correlation, scratch, proposals);
-    min_correlation = std::max(min_correlation, keep_best(params.num_proposals, proposals));
+    min_correlation = std::max(min_correlation, keep_best(num_proposals, proposals));
   }
+  std::ranges::stable_sort(proposals, std::ranges::greater{}, &MapProposal::correlation);
   return proposals;
 }
 
@@ -246,42 +242,58 @@ VerifiedPlace verified_place(const KnownMap& map,
   return place;
 }
 
+PlaceSearch::PlaceSearch(const KnownMap& map,
+                         const SoughtScan& scan,
+                         std::size_t num_rotations,
+                         std::size_t max_proposals)
+    : map_(map), scan_(scan), proposals_(propose_places(map, scan, num_rotations, max_proposals)) {}
+
+std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& params) {
+  move_proposals(params.num_proposals);
+  // Those of a search before keep what was measured at them.
+  std::vector<RoughPlace*> different;
+  for (RoughPlace& place : rough_) {
+    if (different.size() == params.num_compared) break;
+    const bool is_known = std::ranges::any_of(different, [&](const RoughPlace* other) {
+      return is_one_place(place.T_grid_sensor, other->T_grid_sensor);
+    });
+    if (!is_known) different.push_back(&place);
+  }
+  for (RoughPlace* place : different) {
+    if (place->whole_fit) continue;
+    place->whole_fit =
+        whole_fit(place->fit_on_walls, range_agreement(map_, scan_, place->T_grid_sensor));
+  }
+  std::ranges::stable_sort(
+      different, std::ranges::greater{}, [](const RoughPlace* place) { return *place->whole_fit; });
+  if (different.size() > params.num_verified) different.resize(params.num_verified);
+  std::vector<VerifiedPlace> verified;
+  for (RoughPlace* place : different) {
+    if (!place->verified) place->verified = verified_place(map_, scan_, place->T_grid_sensor);
+    const bool is_known = std::ranges::any_of(verified, [&](const VerifiedPlace& other) {
+      return is_one_place(place->verified->T_grid_sensor, other.T_grid_sensor);
+    });
+    if (!is_known) verified.push_back(*place->verified);
+  }
+  std::ranges::stable_sort(verified, std::ranges::greater{}, &VerifiedPlace::score);
+  return verified;
+}
+
+void PlaceSearch::move_proposals(std::size_t count) {
+  const std::size_t end = std::min(count, proposals_.size());
+  for (; num_moved_ < end; ++num_moved_) {
+    const Pose2 T =
+        moved_onto_walls(map_.walls(), scan_.proposing, proposals_[num_moved_].T_grid_sensor);
+    rough_.push_back(
+        {.T_grid_sensor = T, .fit_on_walls = fit_at(map_.walls(), scan_.proposing, T)});
+  }
+  std::ranges::stable_sort(rough_, std::ranges::greater{}, &RoughPlace::fit_on_walls);
+}
+
 std::vector<VerifiedPlace> search_places(const KnownMap& map,
                                          const SoughtScan& scan,
                                          const PlaceSearchParams& params) {
-  std::vector<RoughPlace> rough;
-  for (const MapProposal& proposal : propose_places(map, scan, params)) {
-    rough.push_back(moved_onto_walls(map.walls(), scan.proposing, proposal.T_grid_sensor));
-  }
-  std::stable_sort(
-      rough.begin(), rough.end(), [](const auto& a, const auto& b) { return a.fit > b.fit; });
-  std::vector<RoughPlace> different;
-  for (const RoughPlace& place : rough) {
-    if (different.size() == params.num_compared) break;
-    const bool is_known = std::ranges::any_of(different, [&](const RoughPlace& other) {
-      return is_one_place(place.T_grid_sensor, other.T_grid_sensor);
-    });
-    if (!is_known) different.push_back(place);
-  }
-  for (RoughPlace& place : different) {
-    place.fit = whole_fit(place.fit, range_agreement(map, scan, place.T_grid_sensor));
-  }
-  std::stable_sort(different.begin(), different.end(), [](const auto& a, const auto& b) {
-    return a.fit > b.fit;
-  });
-  if (different.size() > params.num_verified) different.resize(params.num_verified);
-  std::vector<VerifiedPlace> verified;
-  for (const RoughPlace& place : different) {
-    VerifiedPlace found = verified_place(map, scan, place.T_grid_sensor);
-    const bool is_known = std::ranges::any_of(verified, [&](const VerifiedPlace& other) {
-      return is_one_place(found.T_grid_sensor, other.T_grid_sensor);
-    });
-    if (!is_known) verified.push_back(std::move(found));
-  }
-  std::stable_sort(verified.begin(), verified.end(), [](const auto& a, const auto& b) {
-    return a.score > b.score;
-  });
-  return verified;
+  return PlaceSearch(map, scan, params.num_rotations, params.num_proposals).best(params);
 }
 
 }  // namespace setsquare

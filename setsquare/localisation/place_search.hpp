@@ -3,11 +3,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "setsquare/localisation/expected_scan.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/localisation_params.hpp"
+#include "setsquare/localisation/map_correlation.hpp"
 #include "setsquare/matching/verdict.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
@@ -51,12 +53,45 @@ struct VerifiedPlace {
 /// Places near enough to be one answer.
 [[nodiscard]] bool is_one_place(const Pose2& a, const Pose2& b);
 
-/// The best places of the whole map, all different, best first:
+/// The places of a whole map where a scan may have been taken:
 ///
 /// 1. every translation is correlated at each rotation (MapCorrelation);
 /// 2. the best are moved onto the walls by the distance to them, and compared;
 /// 3. the best different ones are verified against the scan that is to be expected there, free
 ///    space and all, and refined.
+///
+/// What is found may be searched again, wider: nothing is measured twice. The map and the scan must
+/// outlive it.
+class PlaceSearch {
+ public:
+  /// Step 1. No search may look at more than `max_proposals`.
+  PlaceSearch(const KnownMap& map,
+              const SoughtScan& scan,
+              std::size_t num_rotations,
+              std::size_t max_proposals);
+
+  /// Steps 2 and 3: the best places, all different, best first.
+  [[nodiscard]] std::vector<VerifiedPlace> best(const PlaceSearchParams& params);
+
+ private:
+  /// A place on its way from proposal to verification.
+  struct RoughPlace {
+    Pose2 T_grid_sensor;
+    double fit_on_walls = -1.0;
+    std::optional<double> whole_fit = std::nullopt;  ///< Once it was compared.
+    std::optional<VerifiedPlace> verified = std::nullopt;
+  };
+
+  void move_proposals(std::size_t count);
+
+  const KnownMap& map_;
+  const SoughtScan& scan_;
+  std::vector<MapProposal> proposals_;  ///< The highest correlation first.
+  std::size_t num_moved_ = 0;           ///< Of these, onto the walls.
+  std::vector<RoughPlace> rough_;       ///< Best fit on the walls first.
+};
+
+/// The best places of the whole map by one search, all different, best first.
 [[nodiscard]] std::vector<VerifiedPlace> search_places(const KnownMap& map,
                                                        const SoughtScan& scan,
                                                        const PlaceSearchParams& params = {});

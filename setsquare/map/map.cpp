@@ -44,6 +44,27 @@ StampedPose pose_from(const MappedScan& scan, PoseOf pose_of) {
   return {scan.stamp, pose_of == PoseOf::kSensor ? scan.T_map_sensor : scan.T_map_base};
 }
 
+/// The kept scans that show walls and that `is_wanted`, by their index.
+template <typename IsWanted>
+std::vector<PlacedScan> placed_where(const Map& map, const IsWanted& is_wanted) {
+  std::vector<PlacedScan> placed;
+  std::size_t session = 0;
+  for (const KeptScan& kept : map.kept_scans) {
+    const MappedScan& mapped = map.scans[kept.index];
+    while (session + 1 < map.sessions.size() &&
+           map.sessions[session + 1].first_scan <= kept.index) {
+      ++session;
+    }
+    if (mapped.status == TrackStatus::kLost || !mapped.is_placed || !is_wanted(kept.index)) {
+      continue;
+    }
+    placed.push_back({kept.scan.get(),
+                      mapped.T_map_sensor,
+                      map.sessions.empty() ? 0 : map.sessions[session].recency});
+  }
+  return placed;
+}
+
 }  // namespace
 
 bool begins_anew(const Map& map, std::size_t scan) {
@@ -154,21 +175,12 @@ std::vector<LoopClosure> closures_of(const Map& map) {
 }
 
 std::vector<PlacedScan> placed_scans(const Map& map) {
-  std::vector<PlacedScan> placed;
-  std::size_t session = 0;
-  placed.reserve(map.kept_scans.size());
-  for (const KeptScan& kept : map.kept_scans) {
-    const MappedScan& mapped = map.scans[kept.index];
-    while (session + 1 < map.sessions.size() &&
-           map.sessions[session + 1].first_scan <= kept.index) {
-      ++session;
-    }
-    if (mapped.status == TrackStatus::kLost || !mapped.is_placed) continue;
-    placed.push_back({kept.scan.get(),
-                      mapped.T_map_sensor,
-                      map.sessions.empty() ? 0 : map.sessions[session].recency});
-  }
-  return placed;
+  return placed_where(map, [](std::size_t) { return true; });
+}
+
+std::vector<PlacedScan> placed_keyframes(const Map& map) {
+  return placed_where(
+      map, [&](std::size_t scan) { return std::ranges::binary_search(map.keyframes, scan); });
 }
 
 OccupancyGrid occupancy_grid(const Map& map, int num_threads, double grid_heading_rad) {

@@ -204,6 +204,9 @@ enum class PoseOf {
 [[nodiscard]] std::vector<PlacedScan> placed_scans(const Map& map);
 /// Not of a map that ends with the expression: the scans are the map's.
 std::vector<PlacedScan> placed_scans(Map&&) = delete;
+/// Those of the keyframes alone.
+[[nodiscard]] std::vector<PlacedScan> placed_keyframes(const Map& map);
+std::vector<PlacedScan> placed_keyframes(Map&&) = delete;  ///< As placed_scans().
 
 /// The occupancy grid of placed_scans(). `grid_heading_rad`: direction of its rows in the map
 /// frame. Any number of threads gives the same grid. Takes a good part of the time that mapping

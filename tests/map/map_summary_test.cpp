@@ -118,6 +118,19 @@ TEST(Map, WallsAreDrawnOfPlacedScansAlone) {
   EXPECT_NEAR(x_m.back(), 0.5 * 5 + 0.2, 1e-12);
 }
 
+TEST(Map, PlacedKeyframesAreThoseOfPlacedScans) {
+  Map map = ten_scans();
+  map.keyframes = {0, 3, 6, 8};
+  const auto scan = std::make_shared<Scan>();
+  for (std::size_t i = 0; i < 10; ++i) map.kept_scans.push_back({i, scan});
+  std::vector<double> x_m;
+  for (const PlacedScan& placed : placed_keyframes(map)) x_m.push_back(placed.T_map_sensor.x_m);
+  // One is lost, one not placed.
+  ASSERT_EQ(x_m.size(), 2U);
+  EXPECT_EQ(x_m[0], map.scans[0].T_map_sensor.x_m);
+  EXPECT_EQ(x_m[1], map.scans[3].T_map_sensor.x_m);
+}
+
 TEST(Map, EveryStatusHasAName) {
   EXPECT_STREQ(to_string(TrackStatus::kTracked), "tracked");
   EXPECT_STREQ(to_string(TrackStatus::kDegenerate), "degenerate");

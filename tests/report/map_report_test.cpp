@@ -134,6 +134,15 @@ TEST(MapReport, HoldsOnlyTheScansThatClosuresShowAndEachOnce) {
   EXPECT_LT(many_of_all - none, 60 * scan);  // 100 scans, ten closures each.
 }
 
+TEST(MapReport, TheTrackIsNotDrawnOverScansThatAreLeftOutNorToAnotherSession) {
+  Map map = drive(100, 0, 20);
+  EXPECT_THAT(map_report_html(report_of(map)), HasSubstr("\"begins\":[]"));
+  map.sessions = {{.first_scan = 0, .num_scans = 60, .search = {}},
+                  {.first_scan = 60, .num_scans = 40, .recency = 1, .search = {}}};
+  map.forgotten_poses = {{.next_scan = 20, .num_scans = 300, .way_m = 12.0}};
+  EXPECT_THAT(map_report_html(report_of(map)), HasSubstr("\"begins\":[20,60]"));
+}
+
 TEST(MapReport, IsSmallForAnHourOfDriving) {
   // 15,000 poses, 5,000 closures, 600 scans of 180 points: 54 bytes per pose and closure in doubles
   // alone would be 1.1 MB, the points 1.7 MB.

@@ -101,11 +101,11 @@ Json json_from_poses(const std::vector<MappedScan>& scans, Timestamp start) {
   return json;
 }
 
-/// The first scans of all sessions but the first one.
-Json session_begins(const Map& map) {
+/// The scans to which no step leads: the track is not drawn to them.
+Json begins_of(const Map& map) {
   Json begins = Json::array();
-  for (std::size_t s = 1; s < map.sessions.size(); ++s) {
-    begins.push_back(map.sessions[s].first_scan);
+  for (std::size_t i = 1; i < map.scans.size(); ++i) {
+    if (begins_anew(map, i)) begins.push_back(i);
   }
   return begins;
 }
@@ -312,7 +312,7 @@ std::string map_report_json(const MapReport& report) {
   json["grid_heading"] = report.grid != nullptr ? report.grid->T_map_grid().theta_rad : 0.0;
   json["map"] = report.grid != nullptr ? json_from_grid(*report.grid) : Json(nullptr);
   json["poses"] = json_from_poses(map.scans, start);
-  json["session_begins"] = session_begins(map);
+  json["begins"] = begins_of(map);
   json["scans"] = json_from_scans(map, shown, start);
   json["closures"] = json_from_closures(closures, shown);
   json["headings"] = json_from_headings(map, start);

@@ -94,7 +94,7 @@ function unpackDoubts(rows, gridHeading) {
 function unpackReport(json) {
   const poses = unpackPoses(json.poses);
   poses.condition = unpackNumbers(json.poses.condition);
-  poses.begins = new Set(json.session_begins);  // nothing is known of the way to these
+  poses.begins = new Set(json.begins);  // nothing is known of the way to these
   poses.sigma = unpackColumn(json.poses.sigma, kMillimetre).map((m) => (m < 0 ? NaN : m));
   const scans = unpackScans(json.scans);
   addUpright(poses, json.grid_heading);

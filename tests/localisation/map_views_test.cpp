@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Setsquare authors
+// SPDX-License-Identifier: Apache-2.0
+#include "setsquare/localisation/map_views.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "setsquare/grid/grid_from_scans.hpp"
+#include "setsquare/localisation/known_map.hpp"
+#include "setsquare/localisation/locate_scan.hpp"
+#include "tests/support/rooms.hpp"
+#include "tests/support/seed.hpp"
+
+namespace setsquare::map_views_test {
+
+constexpr testing::Fan kFan{541, -0.75 * kPi, rad_from_deg(0.5)};
+
+Scan scan_at(const testing::FurnishedRoom& room, const Pose2& T, std::mt19937_64& generator) {
+  return testing::scan_of_walls(room.walls, T, kFan, 0.01, generator(), 0.02);
+}
+
+/// Scans of a furnished room at known places.
+struct SeenRoom {
+  testing::FurnishedRoom room;
+  std::vector<Scan> scans;
+  std::vector<PlacedScan> placed;
+};
+
+SeenRoom seen_room(int num_scans, std::mt19937_64& generator) {
+  SeenRoom seen{testing::furnished_room(generator), {}, {}};
+  std::vector<Pose2> poses;
+  for (int i = 0; i < num_scans; ++i) {
+    poses.push_back(testing::free_pose(seen.room, generator));
+    seen.scans.push_back(scan_at(seen.room, poses.back(), generator));
+  }
+  for (std::size_t i = 0; i < poses.size(); ++i) seen.placed.push_back({&seen.scans[i], poses[i]});
+  return seen;
+}
+
+TEST(SeenByViews, ExplainAScanAtItsPlaceAndContradictItElsewhere) {
+  auto generator = testing::make_generator();
+  for (int k = 0; k < 10; ++k) {
+    const SeenRoom seen = seen_room(8, generator);
+    const Pose2 T_map_grid{3.0, -2.0, 0.7};
+    const std::vector<MapView> views = map_views(seen.placed, T_map_grid);
+    const Pose2 truth = testing::free_pose(seen.room, generator);
+    const PreparedScan scan = prepare(scan_at(seen.room, truth, generator));
+    // It is laid onto the walls first.
+    const Pose2 near = T_map_grid.inverse() * truth * Pose2{0.05, -0.03, rad_from_deg(1.0)};
+    const SeenByViews there = seen_by_views(views, scan, near);
+    EXPECT_EQ(there.num_views, 8U);
+    EXPECT_GT(there.tight_m, 0.5 * there.wall_m);
+    EXPECT_GT(there.tight_m, 0.9 * there.loose_m);
+    EXPECT_LT(there.through_m, 0.05 * there.wall_m);
+    EXPECT_LT(there.distance_m, 0.02);
+    const SeenByViews turned = seen_by_views(views, scan, near * Pose2{0.0, 0.0, 0.5 * kPi});
+    EXPECT_LT(turned.tight_m, 0.8 * there.tight_m);
+    EXPECT_GT(turned.through_m + turned.missed_m, there.through_m + there.missed_m);
+  }
+}
+
+TEST(SeenByViews, TellNothingOfAPlaceThatNoneIsNear) {
+  auto generator = testing::make_generator();
+  const SeenRoom seen = seen_room(3, generator);
+  const std::vector<MapView> views = map_views(seen.placed, {});
+  const PreparedScan scan = prepare(seen.scans.front());
+  EXPECT_EQ(seen_by_views(views, scan, {100.0, 0.0, 0.0}).num_views, 0U);
+  EXPECT_EQ(seen_by_views({}, scan, {}).num_views, 0U);
+}
+
+TEST(MapViews, AreTheSameByAnyNumberOfThreads) {
+  auto generator = testing::make_generator();
+  const SeenRoom seen = seen_room(5, generator);
+  const Pose2 T_map_grid{1.0, 2.0, 0.3};
+  const std::vector<MapView> by_one = map_views(seen.placed, T_map_grid, 1);
+  const std::vector<MapView> by_three = map_views(seen.placed, T_map_grid, 3);
+  ASSERT_EQ(by_one.size(), by_three.size());
+  for (std::size_t i = 0; i < by_one.size(); ++i) {
+    EXPECT_EQ(by_one[i].T_grid_sensor, by_three[i].T_grid_sensor);
+    EXPECT_EQ(by_one[i].fine.x_m, by_three[i].fine.x_m);
+  }
+}
+
+TEST(MapViews, TellApartWhatIsAlikeInItsGrid) {
+  auto generator = testing::make_generator();
+  constexpr int kNumRooms = 12;
+  constexpr int kNumScans = 5;
+  int num_by_grid = 0;
+  int num_by_scans = 0;
+  int num_wrong = 0;
+  for (int k = 0; k < kNumRooms; ++k) {
+    // Three scans leave something of a room unmapped.
+    const SeenRoom seen = seen_room(3, generator);
+    const OccupancyGrid grid = grid_from_scans(seen.placed);
+    const KnownMap by_grid(grid);
+    const KnownMap by_scans(grid, seen.placed);
+    for (int i = 0; i < kNumScans; ++i) {
+      const Pose2 truth = testing::free_pose(seen.room, generator);
+      const Scan scan = scan_at(seen.room, truth, generator);
+      const LocatedScan located = locate_scan(by_scans, scan);
+      num_by_grid += locate_scan(by_grid, scan).status == LocalisationStatus::kLocalised;
+      if (located.status != LocalisationStatus::kLocalised) continue;
+      ++num_by_scans;
+      const Pose2 error = truth.inverse() * located.places.front().T_map_sensor;
+      num_wrong +=
+          error.translation().norm() > 0.1 || std::abs(error.theta_rad) > rad_from_deg(2.0);
+    }
+  }
+  RecordProperty("by_grid", num_by_grid);
+  RecordProperty("by_scans", num_by_scans);
+  EXPECT_LE(num_wrong, 1);
+  EXPECT_GE(num_by_scans, num_by_grid + kNumRooms * kNumScans / 20)
+      << num_by_grid << " by the grid alone";
+}
+
+}  // namespace setsquare::map_views_test
