@@ -4,23 +4,40 @@
 # Flags of our own targets; never exported to users of the library.
 add_library(setsquare_own_flags INTERFACE)
 target_compile_features(setsquare_own_flags INTERFACE cxx_std_20)
+if(SETSQUARE_WARNINGS)
+  target_compile_options(
+    setsquare_own_flags
+    INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
+              -Wconversion -Wno-sign-conversion $<$<BOOL:${SETSQUARE_WARNINGS_AS_ERRORS}>:-Werror>)
+endif()
 target_compile_options(
   setsquare_own_flags
-  INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast -Wcast-qual
-            -Wconversion -Wno-sign-conversion
-            # The same numbers on every machine: no fused multiply-add behind our back.
+  INTERFACE # The same numbers on every machine: no fused multiply-add behind our back.
             -ffp-contract=off
             # Lets loops over plain arrays vectorise; NaN and infinity keep their meaning.
             -fno-math-errno -fno-trapping-math
             # Code that a shared object can hold, as fast as a program's: nobody replaces our functions.
             -fno-semantic-interposition -fvisibility=hidden
             # GCC's garbage collector costs a tenth of a compilation; a unit needs 1 GB at most.
-            $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>
-            $<$<BOOL:${SETSQUARE_WARNINGS_AS_ERRORS}>:-Werror>)
+            $<$<CXX_COMPILER_ID:GNU>:--param=ggc-min-heapsize=1000000>)
+
+# What many sources include and what takes long to parse. Few: to write them precompiled takes twice
+# as long as to parse them.
+set(setsquare_large_headers
+    <Eigen/Core>
+    <Eigen/LU>
+    <algorithm>
+    <functional>
+    <map>
+    <memory>
+    <optional>
+    <span>
+    <string>
+    <vector>)
 
 # setsquare_precompile_headers(TARGET [FROM])
 # Under SETSQUARE_PRECOMPILE_HEADERS gives a test program the precompiled headers of another target
-# or, where none is named, its own: the standard library, Eigen and GoogleTest.
+# or, where none is named, its own: the large headers and GoogleTest.
 function(setsquare_precompile_headers target)
   if(NOT SETSQUARE_PRECOMPILE_HEADERS)
     return()
@@ -32,27 +49,56 @@ function(setsquare_precompile_headers target)
     return()
   endif()
   target_precompile_headers(
-    ${target}
-    PRIVATE
-    <Eigen/Cholesky>
-    <Eigen/Eigenvalues>
-    <Eigen/LU>
-    <algorithm>
-    <chrono>
-    <cmath>
-    <filesystem>
-    <fstream>
-    <functional>
-    <map>
-    <optional>
-    <random>
-    <span>
-    <sstream>
-    <string>
-    <vector>
-    <gmock/gmock.h>
-    <gtest/gtest.h>)
+    ${target} PRIVATE ${setsquare_large_headers} <Eigen/Cholesky> <Eigen/Eigenvalues> <chrono>
+    <filesystem> <fstream> <random> <sstream> <gmock/gmock.h> <gtest/gtest.h>)
   setsquare_compile_as_tests(${target})
+endfunction()
+
+# setsquare_set_temperature(TARGET hot|cold)
+# Hot is what the time of a map or of a match depends on: it is compiled for speed, the cold rest in
+# two thirds of the time. The large headers are parsed once a temperature, not once a target: the
+# compiler takes precompiled headers only where its options are the same.
+function(setsquare_set_temperature target temperature)
+  set(headers setsquare_${temperature}_headers)
+  set(libraries Eigen3::Eigen Threads::Threads setsquare_own_flags)
+  if(temperature STREQUAL cold)
+    list(APPEND libraries fmt::fmt)
+    target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:fmt::fmt>)
+  endif()
+  setsquare_set_optimisation(${target} ${temperature})
+  if(NOT SETSQUARE_PRECOMPILE_HEADERS)
+    return()
+  endif()
+  # Programs are else compiled differently from libraries, and cannot share the headers.
+  get_target_property(type ${target} TYPE)
+  if(type STREQUAL EXECUTABLE)
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE OFF)
+    target_compile_options(${target} PRIVATE -fPIC)
+  endif()
+  if(NOT TARGET ${headers})
+    set(source "${PROJECT_BINARY_DIR}/${headers}.cpp")
+    file(CONFIGURE OUTPUT "${source}" CONTENT "// Nothing but the precompiled headers.\n")
+    add_library(${headers} OBJECT "${source}")
+    target_precompile_headers(${headers} PRIVATE ${setsquare_large_headers})
+    if(temperature STREQUAL cold)
+      target_precompile_headers(${headers} PRIVATE <fmt/format.h>)
+    endif()
+    target_link_libraries(${headers} PRIVATE ${libraries})
+    setsquare_set_optimisation(${headers} ${temperature})
+  endif()
+  target_precompile_headers(${target} REUSE_FROM ${headers})
+endfunction()
+
+# setsquare_set_optimisation(TARGET hot|cold)
+function(setsquare_set_optimisation target temperature)
+  if(temperature STREQUAL hot)
+    target_compile_options(${target} PRIVATE ${SETSQUARE_HOT_OPTIONS})
+    return()
+  endif()
+  target_compile_options(
+    ${target} PRIVATE $<$<CONFIG:Release>:-O1>
+                      # A false alarm of GCC 12 (its bug 105562).
+                      $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
 endfunction()
 
 # setsquare_compile_as_tests(TARGET)
@@ -68,16 +114,16 @@ endfunction()
 # Under SETSQUARE_UNITY_BUILD compiles many of a target's sources at once: a quarter of the time.
 function(setsquare_set_unity target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${SETSQUARE_UNITY_BUILD}
-                                             UNITY_BUILD_BATCH_SIZE 32)
+                                             UNITY_BUILD_BATCH_SIZE 40)
 endfunction()
 
-# setsquare_add_layer(NAME [NOT_INSTALLED] [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
+# setsquare_add_layer(NAME [NOT_INSTALLED] [COLD] [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
 #                     [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 # One library per layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
 # which are made by the build. HEADERS, below the folder, are the public ones: they alone are
 # installed; NOT_INSTALLED: a part of our programs alone. DEPENDS names the layers that it may include.
 function(setsquare_add_layer name)
-  cmake_parse_arguments(arg "NOT_INSTALLED" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
+  cmake_parse_arguments(arg "NOT_INSTALLED;COLD" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
                         ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
        "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
@@ -94,6 +140,11 @@ function(setsquare_add_layer name)
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
   setsquare_set_unity(setsquare_${name})
+  if(arg_COLD)
+    setsquare_set_temperature(setsquare_${name} cold)
+  else()
+    setsquare_set_temperature(setsquare_${name} hot)
+  endif()
   if(NOT arg_NOT_INSTALLED)
     set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
   endif()

@@ -8,16 +8,22 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/io/bags/message_source.hpp"
 #include "setsquare/io/logs/log_survey.hpp"
 #include "setsquare/io/logs/record_stream.hpp"
 
-/// libFuzzer's entry point; replay.cpp calls it too.
+/// libFuzzer's entry point, one in each program.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
 namespace setsquare::fuzz {
+
+/// An entry point under the name of its file, in the program that has them all (replay.cpp).
+using Target = int(const std::uint8_t* data, std::size_t size);
+/// "carmen_log" for that of fuzz_carmen_log.cpp; nullptr where there is none.
+[[nodiscard]] Target* target_named(std::string_view name);
 
 inline std::string bytes_from(const std::uint8_t* data, std::size_t size) {
   return {data, data + size};

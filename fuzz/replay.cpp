@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // Feeds files, or the files of folders, to a fuzz target without libFuzzer: the corpus becomes a
-// test that any compiler builds. Usage: replay_NAME FILE_OR_FOLDER...
+// test that any compiler builds. Usage: replay TARGET FILE_OR_FOLDER...
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
@@ -25,22 +25,27 @@ std::vector<fs::path> files_below(const fs::path& path) {
   return files;
 }
 
-bool replay(const fs::path& path) {
+bool replay(setsquare::fuzz::Target* target, const fs::path& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return false;
   const std::string bytes{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
   const std::vector<std::uint8_t> data(bytes.begin(), bytes.end());
   std::cout << path.string() << " (" << data.size() << " bytes)" << std::endl;
-  return LLVMFuzzerTestOneInput(data.data(), data.size()) == 0;
+  return target(data.data(), data.size()) == 0;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  setsquare::fuzz::Target* target = argc > 1 ? setsquare::fuzz::target_named(argv[1]) : nullptr;
+  if (target == nullptr) {
+    std::cerr << "usage: replay TARGET FILE_OR_FOLDER...\n";
+    return 2;
+  }
   std::size_t num_files = 0;
-  for (int i = 1; i < argc; ++i) {
+  for (int i = 2; i < argc; ++i) {
     for (const fs::path& path : files_below(argv[i])) {
-      if (!replay(path)) {
+      if (!replay(target, path)) {
         std::cerr << path.string() << ": cannot be replayed\n";
         return 1;
       }

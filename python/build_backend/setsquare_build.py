@@ -8,8 +8,10 @@ the default is build/python-<version of Python>.
 
 import base64
 import hashlib
+import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import sysconfig
@@ -50,10 +52,14 @@ def build_extension(settings):
                  f"-DPython3_EXECUTABLE={sys.executable}"]
     if not (folder / "CMakeCache.txt").exists():
         configure += ["-DCMAKE_BUILD_TYPE=Release", "-DSETSQUARE_BUILD_TESTS=OFF",
-                      "-DSETSQUARE_BUILD_APPS=OFF", "-DSETSQUARE_INSTALL=OFF"]
+                      "-DSETSQUARE_BUILD_APPS=OFF", "-DSETSQUARE_INSTALL=OFF",
+                      "-DSETSQUARE_WARNINGS=OFF"]
+        # Make compiles layer after layer, Ninja all at once.
+        if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja"):
+            configure += ["-G", "Ninja"]
     subprocess.run(configure, check=True)
-    subprocess.run(["cmake", "--build", folder, "--target", "setsquare_python", "--parallel"],
-                   check=True)
+    subprocess.run(["cmake", "--build", folder, "--target", "setsquare_python",
+                    "--parallel", str(len(os.sched_getaffinity(0)))], check=True)
     suffix = sysconfig.get_config_var("EXT_SUFFIX")
     return folder / "python" / f"_core{suffix}"
 

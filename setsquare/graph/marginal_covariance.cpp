@@ -43,24 +43,24 @@ struct MarginalCovariance::Factor {
   /// no part: its position is held.
   [[nodiscard]] Eigen::Matrix2d way(std::size_t from, std::size_t to) const {
     const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
+    const auto first = [](std::size_t node) { return 3 * static_cast<Eigen::Index>(node); };
     Eigen::MatrixXd J_transposed = Eigen::MatrixXd::Zero(num_unknowns, 2);
-    const auto add = [&](std::size_t node, double sign) {
-      if (node == 0) return;
-      J_transposed.block<2, 2>(3 * static_cast<Eigen::Index>(node), 0) +=
-          sign * Eigen::Matrix2d::Identity();
-    };
-    add(to, 1.0);
-    add(from, -1.0);
-    const Eigen::Matrix2d result = J_transposed.transpose() * equations.solve(J_transposed);
+    if (to != 0) J_transposed.block<2, 2>(first(to), 0).diagonal().array() += 1.0;
+    if (from != 0) J_transposed.block<2, 2>(first(from), 0).diagonal().array() -= 1.0;
+    const Eigen::MatrixXd columns = equations.solve(J_transposed);
+    Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
+    if (to != 0) result += columns.block<2, 2>(first(to), 0);
+    if (from != 0) result -= columns.block<2, 2>(first(from), 0);
     return 0.5 * (result + result.transpose());
   }
 
   [[nodiscard]] double heading(std::size_t node) const {
     if (node == 0 && equations.is_heading_held()) return 0.0;
-    const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(num_unknowns, 1);
-    unit(3 * static_cast<Eigen::Index>(node) + 2, 0) = 1.0;
-    return unit.cwiseProduct(equations.solve(unit)).sum();
+    const auto row = 3 * static_cast<Eigen::Index>(node) + 2;
+    Eigen::MatrixXd unit =
+        Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(graph.T_map_node.size()), 1);
+    unit(row, 0) = 1.0;
+    return equations.solve(unit)(row, 0);
   }
 };
 
