@@ -14,7 +14,7 @@ namespace setsquare {
 
 /// What a scan of the map's own saw where it was taken.
 struct MapView {
-  Pose2 T_grid_sensor;
+  Pose2 T_grid_sensor;  ///< Of its sensor, in the frame of the grid.
   SurfaceImage image;   ///< Its surfaces.
   SurfaceSamples fine;  ///< Its samples, as PreparedScan::fine.
 };

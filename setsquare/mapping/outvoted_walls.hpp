@@ -39,13 +39,12 @@ struct SeenTurn {
 /// turned as a whole. One wrong closure turns nothing, however wrong.
 ///
 /// 1. Where no `min_places` places contradict the headings, all is well.
-/// 2. Unknown is by how much the heading of each keyframe that a turn names is off, and each
-/// frame's
-///    offset. The turns bind two keyframes; neighbours along the track are off alike by the walls,
-///    where those of one frame go on, and by the tracked rotations; where a frame's walls begin,
-///    the keyframe is off as that frame is. So what breaks easily is a joint of two wings, or a
-///    place where walls and tracking do not agree. Geman-McClure, graduated from full weights: each
-///    of them is broken at a bounded cost, and turns seen at one place are one.
+/// 2. Unknown is by how much the heading of each keyframe that a turn names is off, and the offset
+///    of each frame. The turns bind two keyframes; neighbours along the track are off alike by the
+///    walls, where those of one frame go on, and by the tracked rotations; where a frame's walls
+///    begin, the keyframe is off as that frame is. So what breaks easily is a joint of two wings,
+///    or a place where walls and tracking do not agree. Geman-McClure, graduated from full weights:
+///    each of them is broken at a bounded cost, and turns seen at one place are one.
 /// 3. Neighbours that are off alike are a stretch. It counts where enough places ask for it, and a
 ///    majority over those that it would contradict.
 /// `evidence` and `ways_m` (travelled from the first one on): one per keyframe.

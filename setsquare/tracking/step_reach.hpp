@@ -6,8 +6,8 @@ namespace setsquare {
 
 /// How far a step from scan to scan goes, or may go.
 struct StepReach {
-  double distance_m = 0.0;
-  double turn_rad = 0.0;
+  double distance_m = 0.0;  ///< As the crow flies.
+  double turn_rad = 0.0;    ///< Not negative.
 };
 
 }  // namespace setsquare
