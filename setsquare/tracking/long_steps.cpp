@@ -5,18 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "setsquare/core/angle.hpp"
-#include "setsquare/core/is_beyond.hpp"
 #include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
-namespace {
-
-/// From scan to scan no robot turns as far: where it seems so, the place looks alike after a half
-/// turn.
-constexpr double kTurnedAbout_rad = rad_from_deg(120.0);
-
-}  // namespace
 
 void LongStepParams::validate() const {
   require_positive(long_m, "long_steps.long_m");
@@ -43,12 +34,6 @@ StepReach LongSteps::reach() const {
     longest.turn_rad = std::max(longest.turn_rad, params_.reach_per_step * step.turn_rad);
   }
   return longest;
-}
-
-bool LongSteps::may_lead(const Pose2& way, std::size_t num_steps) const {
-  const StepReach step = reach();
-  const auto num = static_cast<double>(num_steps);
-  return !is_beyond(way, num * step.distance_m, num * std::max(step.turn_rad, kTurnedAbout_rad));
 }
 
 }  // namespace setsquare

@@ -28,9 +28,6 @@ class LongSteps {
   }
   /// How far the next scan may be from the last one, and turned against it.
   [[nodiscard]] StepReach reach() const;
-  /// Whether so many steps may lead so far. Turns are asked less of than ways: a fast one is how
-  /// tracking gets lost.
-  [[nodiscard]] bool may_lead(const Pose2& way, std::size_t num_steps) const;
 
  private:
   [[nodiscard]] bool is_long(const StepReach& step) const {

@@ -87,11 +87,10 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
 ScanTracker::Expectation ScanTracker::expectation_of(const ArrivedScan& scan,
                                                      const std::optional<Pose2>& T_believed_base,
                                                      bool is_gap) const {
-  const Scan& arrived = scan.arrived();
   const bool has_odometry = motion_.has_odometry(body_by_wheels(T_believed_base));
   return {.situation = situation_of(scan.num_points(), is_gap && !has_odometry),
-          .T_odom_sensor = BodyMounting(T_base_body_, arrived.T_base_sensor)
-                               .sensor_of(expected_body(arrived, T_believed_base)),
+          .T_odom_sensor = BodyMounting(T_base_body_, scan.arrived().T_base_sensor)
+                               .sensor_of(expected_body(scan.arrived(), T_believed_base)),
           .has_odometry = has_odometry};
 }
 
@@ -354,7 +353,8 @@ TrackedPose ScanTracker::place_anywhere(ArrivedScan& scan, const Pose2& predicte
 }
 
 bool ScanTracker::is_within_reach(const SubmapFit& found, const Pose2& predicted) const {
-  return long_steps_.may_lead(predicted.inverse() * found.T_odom_sensor, 1 + num_lost_);
+  const double reach_m = (1.0 + static_cast<double>(num_lost_)) * long_steps_.reach().distance_m;
+  return (found.T_odom_sensor.translation() - predicted.translation()).norm() <= reach_m;
 }
 
 bool ScanTracker::is_seconded(ArrivedScan& scan, const SubmapFit& found) {

@@ -154,8 +154,7 @@ class ScanTracker {
   /// How uncertain the turns are that it is expected to make.
   [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
-  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago, nor
-  /// turned about.
+  /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
   [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
   /// Whether several keyframes agree upon a place that is far from the expected one.
   [[nodiscard]] bool is_seconded(ArrivedScan& scan, const SubmapFit& found);

@@ -44,14 +44,4 @@ TEST(LongSteps, ReachAsFarAsTheLatestAndSomewhatFarther) {
   EXPECT_DOUBLE_EQ(steps.reach().turn_rad, rad_from_deg(70.0) * params.reach_per_step);
 }
 
-TEST(LongSteps, NoRobotTurnsAboutFromScanToScan) {
-  LongSteps steps({});
-  for (int i = 0; i < 10; ++i) steps.add({0.1, 0.0, 0.05});
-  EXPECT_TRUE(steps.may_lead({0.5, 0.0, rad_from_deg(-85.0)}, 1));
-  EXPECT_FALSE(steps.may_lead({0.5, 0.0, rad_from_deg(178.0)}, 1));
-  EXPECT_TRUE(steps.may_lead({0.5, 0.0, rad_from_deg(178.0)}, 2));
-  EXPECT_FALSE(steps.may_lead({2.0, 0.0, 0.0}, 1));
-  EXPECT_TRUE(steps.may_lead({2.0, 0.0, 0.0}, 2));
-}
-
 }  // namespace setsquare::long_steps_test
