@@ -2,11 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/headings/equations.hpp"
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
 #include <numeric>
-#include <utility>
 
 namespace setsquare {
 namespace {
@@ -69,59 +66,11 @@ std::vector<double> solve(const TridiagonalSystem& system) {
   return TridiagonalFactor(system).solve(system.right);
 }
 
-DenseFactor::DenseFactor(std::vector<std::vector<double>> rows)
-    : rows_(std::move(rows)), swapped_with_(rows_.size()) {
-  const std::size_t n = rows_.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < i; ++j) rows_[j][i] = rows_[i][j];
-  }
-  for (std::size_t k = 0; k < n; ++k) {
-    std::size_t largest = k;
-    for (std::size_t i = k + 1; i < n; ++i) {
-      if (std::abs(rows_[i][i]) > std::abs(rows_[largest][largest])) largest = i;
-    }
-    swapped_with_[k] = largest;
-    swap_axes(k, largest);
-    reduce_column(k);
-    for (std::size_t i = k + 1; i < n; ++i) rows_[i][k] /= rows_[k][k];
-  }
-}
-
-void DenseFactor::swap_axes(std::size_t k, std::size_t l) {
-  std::swap(rows_[k], rows_[l]);
-  for (std::vector<double>& row : rows_) std::swap(row[k], row[l]);
-}
-
-void DenseFactor::reduce_column(std::size_t k) {
-  for (std::size_t i = k; i < rows_.size(); ++i) {
-    double explained = 0.0;
-    for (std::size_t j = 0; j < k; ++j) explained += rows_[i][j] * (rows_[j][j] * rows_[k][j]);
-    rows_[i][k] -= explained;
-  }
-}
-
-std::vector<double> DenseFactor::solve(std::vector<double> right) const {
-  const std::size_t n = rows_.size();
-  assert(right.size() == n);
-  for (std::size_t k = 0; k < n; ++k) std::swap(right[k], right[swapped_with_[k]]);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t j = 0; j < i; ++j) right[i] -= rows_[i][j] * right[j];
-  }
-  for (std::size_t k = 0; k < n; ++k) right[k] /= rows_[k][k];
-  for (std::size_t i = n; i-- > 0;) {
-    double explained = 0.0;
-    for (std::size_t j = i + 1; j < n; ++j) explained += rows_[j][i] * right[j];
-    right[i] -= explained;
-  }
-  for (std::size_t k = n; k-- > 0;) std::swap(right[k], right[swapped_with_[k]]);
-  return right;
-}
-
 HeadingEquations::HeadingEquations(std::size_t num_keyframes, std::size_t num_frames)
     : chain_(num_keyframes),
       border_(num_frames - 1, std::vector<double>(num_keyframes, 0.0)),
-      offset_diagonal_(num_frames - 1, 0.0),
-      offset_right_(num_frames - 1, 0.0) {
+      offset_diagonal_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_frames - 1))),
+      offset_right_(Eigen::VectorXd::Zero(static_cast<Eigen::Index>(num_frames - 1))) {
   assert(num_frames > 0);
 }
 
@@ -133,21 +82,23 @@ void HeadingEquations::bind(std::size_t k, std::size_t frame, double value_rad, 
 }
 
 void HeadingEquations::bind_offset(std::size_t frame, double value_rad, double weight) {
-  offset_diagonal_[frame - 1] += weight;
-  offset_right_[frame - 1] += weight * value_rad;
+  const auto f = static_cast<Eigen::Index>(frame - 1);
+  offset_diagonal_(f) += weight;
+  offset_right_(f) += weight * value_rad;
 }
 
 HeadingEquations::Schur HeadingEquations::eliminate() const {
   Schur schur{TridiagonalFactor(chain_), {}, {}};
+  Eigen::MatrixXd offsets = offset_diagonal_.asDiagonal();
   for (const std::vector<double>& column : border_)
     schur.columns.push_back(schur.chain.solve(column));
-  const std::size_t num_offsets = border_.size();
-  std::vector<std::vector<double>> offsets(num_offsets, std::vector<double>(num_offsets, 0.0));
-  for (std::size_t a = 0; a < num_offsets; ++a) {
-    offsets[a][a] = offset_diagonal_[a];
-    for (std::size_t b = 0; b <= a; ++b) offsets[a][b] -= dot(border_[a], schur.columns[b]);
+  for (std::size_t a = 0; a < border_.size(); ++a) {
+    for (std::size_t b = 0; b < border_.size(); ++b) {
+      offsets(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) -=
+          dot(border_[a], schur.columns[b]);
+    }
   }
-  schur.offsets = DenseFactor(std::move(offsets));
+  if (!border_.empty()) schur.offsets.compute(offsets);
   return schur;
 }
 
@@ -155,12 +106,14 @@ HeadingSolution HeadingEquations::solve() const {
   const Schur schur = eliminate();
   HeadingSolution solution{schur.chain.solve(chain_.right), offset_right_};
   for (std::size_t f = 0; f < border_.size(); ++f) {
-    solution.offset_rad[f] -= dot(border_[f], solution.drift_rad);
+    solution.offset_rad(static_cast<Eigen::Index>(f)) -= dot(border_[f], solution.drift_rad);
   }
-  solution.offset_rad = schur.offsets.solve(std::move(solution.offset_rad));
+  if (border_.empty()) return solution;
+  solution.offset_rad = schur.offsets.solve(solution.offset_rad).eval();
   for (std::size_t f = 0; f < border_.size(); ++f) {
+    const double offset_rad = solution.offset_rad(static_cast<Eigen::Index>(f));
     for (std::size_t k = 0; k < solution.drift_rad.size(); ++k) {
-      solution.drift_rad[k] -= schur.columns[f][k] * solution.offset_rad[f];
+      solution.drift_rad[k] -= schur.columns[f][k] * offset_rad;
     }
   }
   return solution;
@@ -169,24 +122,16 @@ HeadingSolution HeadingEquations::solve() const {
 HeadingVariances HeadingEquations::variances() const {
   const Schur schur = eliminate();
   HeadingVariances variances{schur.chain.inverse_diagonal(), {}};
-  const std::size_t num_offsets = border_.size();
-  std::vector<std::vector<double>> inverse;
-  for (std::size_t f = 0; f < num_offsets; ++f) {
-    std::vector<double> unit(num_offsets, 0.0);
-    unit[f] = 1.0;
-    inverse.push_back(schur.offsets.solve(std::move(unit)));
-    variances.offset_rad2.push_back(inverse[f][f]);
-  }
-  std::vector<double> row(num_offsets);
+  const auto num_offsets = static_cast<Eigen::Index>(border_.size());
+  if (num_offsets == 0) return variances;
+  const Eigen::MatrixXd inverse =
+      schur.offsets.solve(Eigen::MatrixXd::Identity(num_offsets, num_offsets));
+  variances.offset_rad2 = inverse.diagonal();
+  Eigen::VectorXd row(num_offsets);
   for (std::size_t k = 0; k < variances.drift_rad2.size(); ++k) {
-    for (std::size_t f = 0; f < num_offsets; ++f) row[f] = schur.columns[f][k];
-    double added_rad2 = 0.0;
-    for (std::size_t a = 0; a < num_offsets; ++a) {
-      double bound = 0.0;
-      for (std::size_t b = 0; b < num_offsets; ++b) bound += inverse[b][a] * row[b];
-      added_rad2 += row[a] * bound;
-    }
-    variances.drift_rad2[k] += added_rad2;
+    for (Eigen::Index f = 0; f < num_offsets; ++f)
+      row(f) = schur.columns[static_cast<std::size_t>(f)][k];
+    variances.drift_rad2[k] += row.dot(inverse * row);
   }
   return variances;
 }

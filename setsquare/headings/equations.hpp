@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <Eigen/Cholesky>
 #include <vector>
 
 namespace setsquare {
@@ -43,35 +44,16 @@ class TridiagonalFactor {
 /// The minimum of the sum of all terms.
 [[nodiscard]] std::vector<double> solve(const TridiagonalSystem& system);
 
-/// A small dense symmetric positive matrix, factored: P^T L D L^T P. In plain loops: Eigen's takes
-/// ten times as long to compile.
-class DenseFactor {
- public:
-  /// Of no unknowns.
-  DenseFactor() = default;
-  /// Reads the matrix on its diagonal and below.
-  explicit DenseFactor(std::vector<std::vector<double>> rows);
-
-  [[nodiscard]] std::vector<double> solve(std::vector<double> right) const;
-
- private:
-  void swap_axes(std::size_t k, std::size_t l);
-  void reduce_column(std::size_t k);
-
-  std::vector<std::vector<double>> rows_;  ///< D on the diagonal, L below it.
-  std::vector<std::size_t> swapped_with_;  ///< P: each axis in its turn.
-};
-
 /// The drifts of a chain of keyframes and the offsets of the building's frames.
 struct HeadingSolution {
-  std::vector<double> drift_rad;   ///< One per keyframe.
-  std::vector<double> offset_rad;  ///< One per frame other than the main one.
+  std::vector<double> drift_rad;  ///< One per keyframe.
+  Eigen::VectorXd offset_rad;     ///< One per frame other than the main one.
 };
 
 /// Their variances, in rad^2.
 struct HeadingVariances {
   std::vector<double> drift_rad2;
-  std::vector<double> offset_rad2;
+  Eigen::VectorXd offset_rad2;
 };
 
 /// Normal equations of drifts d_k along a chain and of the offsets o_f of frames f = 1, 2, ...
@@ -98,14 +80,14 @@ class HeadingEquations {
   struct Schur {
     TridiagonalFactor chain;
     std::vector<std::vector<double>> columns;  ///< Inverse of the chain times its border.
-    DenseFactor offsets;
+    Eigen::LDLT<Eigen::MatrixXd> offsets;
   };
   [[nodiscard]] Schur eliminate() const;
 
   TridiagonalSystem chain_;
   std::vector<std::vector<double>> border_;  ///< One column per frame other than the main one.
-  std::vector<double> offset_diagonal_;
-  std::vector<double> offset_right_;
+  Eigen::VectorXd offset_diagonal_;
+  Eigen::VectorXd offset_right_;
 };
 
 }  // namespace setsquare

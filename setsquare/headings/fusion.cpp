@@ -78,7 +78,7 @@ std::vector<double> solve_robustly(const Measurements& measurements,
         chain_equations(found, measurements, weight, told, params.trace.period_rad).solve();
     found.drift_rad = std::move(solution.drift_rad);
     for (std::size_t f = 1; f < found.frames.size(); ++f) {
-      found.frames[f].offset_rad = solution.offset_rad[f - 1];
+      found.frames[f].offset_rad = solution.offset_rad(static_cast<Eigen::Index>(f - 1));
     }
     for (std::size_t m = 0; m < measurements.size(); ++m) {
       weight[m] = geman_mcclure_weight(residual_rad(measurements[m], found), scale_rad);
@@ -102,7 +102,7 @@ void add_sigmas(const Measurements& measurements,
     fused.heading_sigma_rad[k] = std::sqrt(variances.drift_rad2[k]);
   }
   for (std::size_t f = 1; f < found.frames.size(); ++f) {
-    found.frames[f].sigma_rad = std::sqrt(variances.offset_rad2[f - 1]);
+    found.frames[f].sigma_rad = std::sqrt(variances.offset_rad2(static_cast<Eigen::Index>(f - 1)));
   }
 }
 

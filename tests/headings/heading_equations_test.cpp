@@ -74,9 +74,8 @@ TEST_P(HeadingEquationsTest, SolutionAndVariancesEqualTheDenseOnes) {
     }
     for (std::size_t frame = 1; frame < num_frames; ++frame) {
       const auto f = static_cast<Eigen::Index>(frame) - 1;
-      EXPECT_NEAR(solution.offset_rad[frame - 1], expected(twin.first_offset + f), 1e-10);
-      EXPECT_NEAR(
-          variances.offset_rad2[frame - 1], expected_variance(twin.first_offset + f), 1e-10);
+      EXPECT_NEAR(solution.offset_rad(f), expected(twin.first_offset + f), 1e-10);
+      EXPECT_NEAR(variances.offset_rad2(f), expected_variance(twin.first_offset + f), 1e-10);
     }
   }
 }
