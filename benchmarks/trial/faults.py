@@ -8,6 +8,10 @@ import math
 SEES_NOTHING = "inf"
 
 
+def _bearings(scan):
+    return [scan["angle_min"] + k * scan["angle_step"] for k in range(len(scan["ranges"]))]
+
+
 def _is_return(value):
     return isinstance(value, (int, float)) and math.isfinite(value)
 
@@ -185,8 +189,7 @@ def posts(num, width_deg):
 
         def seen(scan):
             ranges = list(scan["ranges"])
-            for k in range(len(ranges)):
-                bearing = scan["angle_min"] + k * scan["angle_step"]
+            for k, bearing in enumerate(_bearings(scan)):
                 for at, range_m in placed:
                     if abs(math.remainder(bearing - at, 2 * math.pi)) <= half:
                         ranges[k] = range_m + draw.gauss(0, 0.003)
@@ -248,10 +251,6 @@ def key_frames(way_m, turn_deg):
                 kept.append(scan)
         return kept
     return fault
-
-
-def _bearings(scan):
-    return [scan["angle_min"] + k * scan["angle_step"] for k in range(len(scan["ranges"]))]
 
 
 def glass(share, cell_m=2.0):

@@ -6,11 +6,10 @@ import dataclasses
 import json
 import pathlib
 import random
-import tempfile
 
 from trial import faults
 from trial.outputs import mapped_poses
-from trial.trials import outcome_of, run, write_log
+from trial.trials import outcome_of, run, trial_folder, write_log
 
 # What is done to the scans: mapped with the odometry and without.
 OF_SCANS = {
@@ -76,12 +75,8 @@ def base_of(command, log, folder):
 
 def run_real_trial(command, trial, base, keep=None):
     """What became of it, for JSON. `base`: the folder that base_of filled."""
-    with tempfile.TemporaryDirectory(prefix="setsquare-trial-") as temporary:
-        folder = pathlib.Path(temporary)
-        if keep is not None:
-            name = f"{trial.fault}-{trial.mode}-{trial.seed}".replace(" ", "_")
-            folder = keep / trial.log.stem / name
-            folder.mkdir(parents=True, exist_ok=True)
+    name = f"{trial.fault}-{trial.mode}-{trial.seed}".replace(" ", "_")
+    with trial_folder(keep, f"{trial.log.stem}/{name}") as folder:
         with open(base / "base.jsonl", encoding="ascii") as lines:
             scans = [json.loads(line) for line in lines]
         draw = random.Random(trial.seed)

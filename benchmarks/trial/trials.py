@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Setsquare authors
 # SPDX-License-Identifier: Apache-2.0
 """One trial: a log is simulated, spoilt, mapped and judged."""
+import contextlib
 import dataclasses
 import json
 import pathlib
@@ -90,13 +91,21 @@ def outcome_of(command, scans, options, folder):
             "findings": [finding["kind"] for finding in record["findings"]]}
 
 
+@contextlib.contextmanager
+def trial_folder(keep, name):
+    """keep/name, which stays; a temporary folder where `keep` is None."""
+    if keep is not None:
+        folder = keep / name
+        folder.mkdir(parents=True, exist_ok=True)
+        yield folder
+        return
+    with tempfile.TemporaryDirectory(prefix="setsquare-trial-") as temporary:
+        yield pathlib.Path(temporary)
+
+
 def run_trial(command, trial, keep=None):
     """What became of it, for JSON. `keep`: a folder in which log and map stay."""
-    with tempfile.TemporaryDirectory(prefix="setsquare-trial-") as temporary:
-        folder = pathlib.Path(temporary)
-        if keep is not None:
-            folder = keep / f"{trial.kind}-{trial.level}-{trial.seed}"
-            folder.mkdir(parents=True, exist_ok=True)
+    with trial_folder(keep, f"{trial.kind}-{trial.level}-{trial.seed}") as folder:
         scans = spoilt_log(command, trial, folder)
         level = KINDS[trial.kind][trial.level]
         return {"kind": trial.kind, "level": level.name, "seed": trial.seed,

@@ -47,10 +47,6 @@ constexpr double kPresenceConstant = -4.74598;
 constexpr std::array<double, 4> kStandingWeights{-0.604915, 1.52757, 0.21977, 0.83691};
 constexpr double kStandingConstant = -3.62513;
 
-double weighted(const PlaceFeatures& features, const PlaceFeatures& weights) {
-  return std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
-}
-
 }  // namespace
 
 double in_pieces(double length, double unit) { return std::log1p(std::max(0.0, length) / unit); }
@@ -73,10 +69,10 @@ PlaceFeatures place_features(const VerifiedPlace& place) {
           in_pieces(expected.outside_m, 1.0)};
 }
 
-double place_rank(const PlaceFeatures& features) { return weighted(features, kRankWeights); }
+double place_rank(const PlaceFeatures& features) { return weighted_sum(features, kRankWeights); }
 
 double presence_log_odds(const PlaceFeatures& features) {
-  return weighted(features, kPresenceWeights) + kPresenceConstant;
+  return weighted_sum(features, kPresenceWeights) + kPresenceConstant;
 }
 
 PlaceStanding place_standing(std::span<const VerifiedPlace> places) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -14,6 +15,13 @@ namespace setsquare {
 
 inline constexpr std::size_t kNumPlaceFeatures = 12;
 using PlaceFeatures = std::array<double, kNumPlaceFeatures>;
+
+/// A weight for each feature.
+template <std::size_t kSize>
+[[nodiscard]] double weighted_sum(const std::array<double, kSize>& features,
+                                  const std::array<double, kSize>& weights) {
+  return std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
+}
 
 /// A length in units beyond which a metre more tells less and less.
 [[nodiscard]] double in_pieces(double length, double unit);

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <optional>
 
 #include "setsquare/localisation/place_probability.hpp"
@@ -53,12 +52,6 @@ constexpr double kViewStandingConstant = -3.14683;
 double distance_of(const SeenByViews& seen) {
   constexpr double kOwn_m = 0.002;
   return kOwn_m + (seen.loose_m > kLeastLoose_m ? seen.distance_m : kFar_m);
-}
-
-template <std::size_t kSize>
-double sum_of_weighted(const std::array<double, kSize>& features,
-                       const std::array<double, kSize>& weights) {
-  return std::inner_product(features.begin(), features.end(), weights.begin(), 0.0);
 }
 
 }  // namespace
@@ -115,8 +108,8 @@ std::vector<double> ranks_by_views(std::span<const VerifiedPlace> places,
   for (std::size_t i = 0; i < places.size(); ++i) {
     const PlaceFeatures features = place_features(places[i]);
     grid_ranks.push_back(place_rank(features));
-    ranks.push_back(sum_of_weighted(features, kPlaceWeights) +
-                    sum_of_weighted(view_features(seen[i], sharpness), kViewWeights));
+    ranks.push_back(weighted_sum(features, kPlaceWeights) +
+                    weighted_sum(view_features(seen[i], sharpness), kViewWeights));
     if (seen[i].num_views > 0 && (!best || ranks[i] > ranks[*best])) best = i;
   }
   if (!best) return grid_ranks;
@@ -135,8 +128,8 @@ std::vector<double> log_odds_by_views(std::span<const VerifiedPlace> places,
   const double best_rank = *highest;
   const VerifiedPlace& best = places[static_cast<std::size_t>(highest - log_odds.begin())];
   const double presence =
-      sum_of_weighted<4>({best.fit, best.score, standing.above_second, standing.above_others},
-                         kViewStandingWeights) +
+      weighted_sum<4>({best.fit, best.score, standing.above_second, standing.above_others},
+                      kViewStandingWeights) +
       kViewStandingConstant;
   for (std::size_t i = 0; i < places.size(); ++i) {
     log_odds[i] += presence - best_rank;

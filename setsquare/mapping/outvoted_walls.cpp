@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <iterator>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
@@ -278,13 +279,13 @@ double turn_at(const std::vector<Stretch>& stretches, std::size_t keyframe) {
   return turn_rad;
 }
 
-/// Step 3 of outvoted_walls: whether enough of what was seen asks for the turn, all other stretches
-/// being turned. Then the turn is their mean.
-bool is_asked_for(const std::vector<Stretch>& stretches,
-                  const std::vector<Miss>& misses,
-                  std::span<const double> ways_m,
-                  const OutvotedWallsParams& params,
-                  Stretch& stretch) {
+/// Step 3 of outvoted_walls: the stretch turned by what was seen, in the mean, all others being
+/// turned; nothing where not enough of it asks for that.
+std::optional<Stretch> asked_for(Stretch stretch,
+                                 const std::vector<Stretch>& stretches,
+                                 const std::vector<Miss>& misses,
+                                 std::span<const double> ways_m,
+                                 const OutvotedWallsParams& params) {
   std::vector<Miss> asking;
   std::vector<Miss> against;
   double information = 0.0;
@@ -310,11 +311,11 @@ bool is_asked_for(const std::vector<Stretch>& stretches,
   const std::size_t num_against = num_places(against, ways_m, params.same_place_m);
   if (num_asking < params.min_places ||
       static_cast<double>(num_asking) < params.min_majority * static_cast<double>(num_against)) {
-    return false;
+    return std::nullopt;
   }
   stretch.turn_rad = turn_rad / information;
   stretch.sigma_rad = std::max(params.min_sigma_rad, 1.0 / std::sqrt(information));
-  return true;
+  return stretch;
 }
 
 /// The keyframe in (after, to] to which the tracked rotation most likely is another one by
@@ -411,13 +412,13 @@ std::vector<TurnedWalls> outvoted_walls(const FusedHeadings& headings,
   });
   for (std::size_t num = asked.size() + 1; num > asked.size();) {
     num = asked.size();
-    std::erase_if(asked, [&](Stretch stretch) {
-      return !is_asked_for(asked, misses, ways_m, params, stretch);
+    std::erase_if(asked, [&](const Stretch& stretch) {
+      return !asked_for(stretch, asked, misses, ways_m, params);
     });
   }
   std::vector<TurnedWalls> turned;
-  for (Stretch stretch : asked) {
-    static_cast<void>(is_asked_for(asked, misses, ways_m, params, stretch));
+  for (const Stretch& untold : asked) {
+    const Stretch stretch = *asked_for(untold, asked, misses, ways_m, params);
     const auto before = std::ranges::find_if(
         all.rbegin(), all.rend(), [&](const Stretch& other) { return other.last < stretch.first; });
     const auto behind =

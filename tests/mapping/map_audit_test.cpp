@@ -13,36 +13,9 @@
 #include "setsquare/mapping/audit/audit.hpp"
 #include "setsquare/mapping/audit/doubts.hpp"
 #include "setsquare/mapping/audit/trajectory_audit.hpp"
-#include "setsquare/sim/building/building.hpp"
-#include "setsquare/sim/sensing/ray_casting.hpp"
-#include "setsquare/sim/sensing/robot_path.hpp"
-#include "setsquare/sim/sensing/scanner_model.hpp"
-#include "setsquare/sim/sensing/simulated_scan.hpp"
+#include "tests/mapping/driven_building.hpp"
 
 namespace setsquare::map_audit_test {
-
-struct DrivenBuilding {
-  std::vector<Scan> scans;
-  std::vector<Pose2> T_map_sensor;
-};
-
-/// Two scans per second through a building.
-DrivenBuilding driven(BuildingClass building_class, std::uint64_t seed) {
-  const Building building = make_building(building_class, seed);
-  const RobotPath path(building.route_m);
-  const RayCaster caster(building.plan);
-  const ScannerModel scanner = utm_30lx();
-  DrivenBuilding drive;
-  const auto num_scans = static_cast<std::size_t>(path.duration_s() * 2.0);
-  for (std::size_t i = 0; i < num_scans; ++i) {
-    Random random(sub_seed(seed, i));
-    SimulatedScan simulated =
-        simulate_scan(caster, building.people, scanner, path, 0.5 * static_cast<double>(i), random);
-    drive.T_map_sensor.push_back(simulated.T_map_base * simulated.scan.T_base_sensor);
-    drive.scans.push_back(std::move(simulated.scan));
-  }
-  return drive;
-}
 
 /// A scan half-way between two that saw the same place, 20 s apart: what no two scans span, none
 /// can tell. Nothing where the robot never came back so.
@@ -89,7 +62,7 @@ constexpr BuildingClass kClasses[] = {
 
 TEST(MapAudit, TheTrueTrajectoryIsNotDoubted) {
   for (const BuildingClass building_class : kClasses) {
-    const DrivenBuilding drive = driven(building_class, 2011);
+    const DrivenBuilding drive = driven_building(building_class, 2011);
     const Map map = audited(drive, drive.T_map_sensor);
     ASSERT_TRUE(map.audit);
     EXPECT_GT(map.audit->num_agreeing, 40U);
@@ -102,7 +75,7 @@ TEST(MapAudit, TheTrueTrajectoryIsNotDoubted) {
 
 /// Every few metres another error: no two matches ask for the same correction.
 TEST(MapAudit, WhereMostMatchesContradictTheMapAllOfItIsInDoubt) {
-  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2012);
+  const DrivenBuilding drive = driven_building(BuildingClass::kOffice, 2012);
   std::vector<Pose2> poses = drive.T_map_sensor;
   Random random(7);
   for (std::size_t scan = 4; scan < poses.size(); scan += 4) {
@@ -123,8 +96,8 @@ bool has_crossed_walls(const Map& map) {
 /// Two floors joined by a lift: each is right, and no match need contradict the map.
 TEST(MapAudit, TwoFloorsOverEachOtherAreTold) {
   for (const std::uint64_t seed : {2014U, 2015U, 2016U}) {
-    DrivenBuilding floors = driven(BuildingClass::kOffice, seed);
-    const DrivenBuilding above = driven(BuildingClass::kOffice, seed + 10);
+    DrivenBuilding floors = driven_building(BuildingClass::kOffice, seed);
+    const DrivenBuilding above = driven_building(BuildingClass::kOffice, seed + 10);
     const std::size_t num_below = floors.scans.size();
     const std::int64_t later_ns = floors.scans.back().stamp.ns + 1'000'000'000;
     for (Scan scan : above.scans) {
@@ -147,7 +120,7 @@ TEST(MapAudit, TwoFloorsOverEachOtherAreTold) {
 
 TEST(MapAudit, ABentTrajectoryIsDoubtedBehindTheBend) {
   for (const BuildingClass building_class : kClasses) {
-    const DrivenBuilding drive = driven(building_class, 2012);
+    const DrivenBuilding drive = driven_building(building_class, 2012);
     const auto before_revisit = scan_before_a_revisit(drive.T_map_sensor);
     ASSERT_TRUE(before_revisit);
     const std::size_t bend = *before_revisit;
@@ -170,7 +143,7 @@ TEST(MapAudit, ABentTrajectoryIsDoubtedBehindTheBend) {
 }
 
 TEST(MapAudit, WithoutSecondsNothingIsDoubted) {
-  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2012);
+  const DrivenBuilding drive = driven_building(BuildingClass::kOffice, 2012);
   const auto bent =
       bent_at(drive.T_map_sensor, drive.scans.size() / 2, {0.0, 0.0, rad_from_deg(12.0)});
   AuditParams params;
@@ -183,7 +156,7 @@ TEST(MapAudit, WithoutSecondsNothingIsDoubted) {
 }
 
 TEST(MapAudit, AnyNumberOfThreadsSaysTheSame) {
-  const DrivenBuilding drive = driven(BuildingClass::kOffice, 2013);
+  const DrivenBuilding drive = driven_building(BuildingClass::kOffice, 2013);
   const auto bent = bent_at(drive.T_map_sensor, drive.scans.size() / 3, {0.6, 0.0, 0.1});
   const Map one = audited(drive, bent, {}, 1);
   const Map three = audited(drive, bent, {}, 3);
@@ -198,7 +171,7 @@ TEST(MapAudit, AnyNumberOfThreadsSaysTheSame) {
 TEST(MapAudit, AMapOfOneScanOrNoneIsNotDoubted) {
   EXPECT_EQ(TrajectoryAudit().finish({}, {}, 1).audit->num_pairs, 0U);
   TrajectoryAudit audit;
-  audit.add(driven(BuildingClass::kHall, 2011).scans.front(), {});
+  audit.add(driven_building(BuildingClass::kHall, 2011).scans.front(), {});
   const Map map = audit.finish({}, {}, 1);
   EXPECT_EQ(map.audit->num_pairs, 0U);
   EXPECT_TRUE(map.doubts.empty());

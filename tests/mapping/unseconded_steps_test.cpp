@@ -13,12 +13,8 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/mapping/audit/audit.hpp"
-#include "setsquare/sim/building/building.hpp"
-#include "setsquare/sim/sensing/ray_casting.hpp"
-#include "setsquare/sim/sensing/robot_path.hpp"
-#include "setsquare/sim/sensing/scanner_model.hpp"
-#include "setsquare/sim/sensing/simulated_scan.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
+#include "tests/mapping/driven_building.hpp"
 
 namespace setsquare::unseconded_steps_test {
 
@@ -76,17 +72,11 @@ struct KeyFrames {
 };
 
 KeyFrames key_frames(BuildingClass building_class, std::uint64_t seed) {
-  const Building building = make_building(building_class, seed);
-  const RobotPath path(building.route_m);
-  const RayCaster caster(building.plan);
-  const ScannerModel scanner = utm_30lx();
+  const DrivenBuilding drive = driven_building(building_class, seed, 5.0);
   KeyFrames frames;
   std::size_t num_scans = 0;
-  for (double at_s = 0.0; at_s < path.duration_s(); at_s += 0.2) {
-    Random random(sub_seed(seed, num_scans));
-    const SimulatedScan simulated =
-        simulate_scan(caster, building.people, scanner, path, at_s, random);
-    const Pose2 T_map_sensor = simulated.T_map_base * simulated.scan.T_base_sensor;
+  for (std::size_t i = 0; i < drive.scans.size(); ++i) {
+    const Pose2& T_map_sensor = drive.T_map_sensor[i];
     if (num_scans > 0) {
       const Pose2 moved = frames.map.scans.back().T_map_sensor.inverse() * T_map_sensor;
       if (moved.translation().norm() < 1.0 && std::abs(moved.theta_rad) < rad_from_deg(30.0)) {
@@ -100,7 +90,7 @@ KeyFrames key_frames(BuildingClass building_class, std::uint64_t seed) {
     frames.map.keyframes.push_back(num_scans++);
     frames.map.track.motions.emplace_back();
     frames.map.track.motions.back().covariance.is_long_step = true;
-    frames.surfaces.push_back(scan_surfaces(simulated.scan));
+    frames.surfaces.push_back(scan_surfaces(drive.scans[i]));
   }
   frames.map.pieces = {{0, num_scans, true}};
   return frames;

@@ -276,6 +276,10 @@ AuditOffset audit_offset(const AuditMatch& match,
   return offset;
 }
 
+bool agrees(const AuditOffset& offset, const AuditParams& params) {
+  return offset.off_m < params.off_m && offset.off_rad < params.off_rad;
+}
+
 std::vector<ContradictionGroup> contradiction_groups(std::span<const AuditMatch> matches,
                                                      const AuditedTrack& track,
                                                      const AuditParams& params) {

@@ -30,6 +30,9 @@ struct AuditOffset {
                                        const AuditedTrack& track,
                                        const AuditParams& params);
 
+/// Whether it tells that the map is right, however much the map admits.
+[[nodiscard]] bool agrees(const AuditOffset& offset, const AuditParams& params);
+
 /// Matches that ask for the same correction of the same two parts of the track.
 struct AlikeMatches {
   std::vector<std::size_t> members;  ///< Indices of the matches.

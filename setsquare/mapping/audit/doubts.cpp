@@ -243,8 +243,7 @@ bool is_measured(const ScanRange& range,
       return inside.last > between.first && inside.first < between.last;
     });
     if (num_inside > 1) continue;
-    const AuditOffset offset = audit_offset(match, findings.track, params);
-    num_pairs += offset.off_m < params.off_m && offset.off_rad < params.off_rad;
+    num_pairs += agrees(audit_offset(match, findings.track, params), params) ? 1 : 0;
   }
   return num_pairs >= kMinPairs;
 }

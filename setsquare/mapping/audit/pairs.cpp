@@ -240,7 +240,8 @@ std::vector<double> admitted_m2(const Map& map, const std::vector<std::size_t>& 
 
 /// AuditedTrack::long_steps; `keyframes`: those of the track.
 std::vector<std::size_t> long_steps_of(const Map& map, const std::vector<std::size_t>& keyframes) {
-  constexpr std::size_t kUntilUsual = 10;  // Steps after which long ones are known to be usual.
+  // After so many steps tracking knows that long ones are usual.
+  constexpr std::size_t kUntilUsual = LongStepParams{}.num_steps;
   const std::vector<TrackedMotion>& motions = map.track.motions;
   if (motions.size() != map.keyframes.size()) return {};
   const auto is_usual = [&](std::size_t k) {

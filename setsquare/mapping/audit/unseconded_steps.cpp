@@ -34,11 +34,8 @@ std::vector<std::size_t> without_second(const std::vector<std::size_t>& steps,
   std::vector<int> majority(track.size(), 0);  // Of the matches that agree.
   for (const AuditMatch& match : matches) {
     if (match.pair.to - match.pair.from > kMaxSteps) continue;
-    const AuditOffset offset = audit_offset(match, track, params);
-    const bool agrees = offset.off_m < params.off_m && offset.off_rad < params.off_rad;
-    for (std::size_t k = match.pair.from + 1; k <= match.pair.to; ++k) {
-      majority[k] += agrees ? 1 : -1;
-    }
+    const int vote = agrees(audit_offset(match, track, params), params) ? 1 : -1;
+    for (std::size_t k = match.pair.from + 1; k <= match.pair.to; ++k) majority[k] += vote;
   }
   std::vector<std::size_t> left = steps;
   std::erase_if(left, [&](std::size_t step) { return majority[step] > 0; });
