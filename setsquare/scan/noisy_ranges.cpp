@@ -11,8 +11,8 @@
 namespace setsquare {
 namespace {
 
-constexpr double kVeryNoisy_m = 0.09;
-constexpr double kSmoothing_rad = rad_from_deg(6.0);
+constexpr double kNoisy_m = 0.035;
+constexpr double kSmoothing_rad = rad_from_deg(4.0);
 constexpr std::size_t kMinDifferences = 30;
 constexpr std::size_t kMaxDifferences = 270;  // As many tell the noise as well as all do.
 
@@ -85,9 +85,8 @@ double range_noise_m(const Scan& scan) {
   return low_m / (kLow * std::sqrt(6.0));
 }
 
-std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan) {
-  const double noise_m = range_noise_m(scan);
-  if (noise_m < kVeryNoisy_m) return std::nullopt;
+std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan, double noise_m) {
+  if (noise_m < kNoisy_m) return std::nullopt;
   const double step_m = 3.0 * std::sqrt(2.0) * noise_m;
   const auto reach = static_cast<std::size_t>(kSmoothing_rad / std::abs(scan.bearing_step_rad));
   std::vector<double> smoothed_m = scan.ranges_m;

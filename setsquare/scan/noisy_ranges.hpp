@@ -14,9 +14,11 @@ namespace setsquare {
 /// Taken from the second differences of ranges in a row, the small ones: walls hardly have any.
 [[nodiscard]] double range_noise_m(const Scan& scan);
 
-/// The ranges of a scan of a very noisy scanner (range_noise_m() of 9 cm or more), each replaced by
-/// that of a line through its neighbours within 6 degrees; nothing for other scans, which walls
+/// The ranges of a scan of a noisy scanner (range_noise_m() of 3.5 cm or more), each replaced by
+/// that of a line through its neighbours within 4 degrees; nothing for other scans, which walls
 /// are fitted to as they are. Ranges that are no returns, and steps from thing to thing, stay.
-[[nodiscard]] std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan);
+/// `noise_m`: range_noise_m() of the scan.
+[[nodiscard]] std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan,
+                                                                   double noise_m);
 
 }  // namespace setsquare

@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
-#include "tests/support/rooms.hpp"
+#include "tests/support/rectangular_room.hpp"
 #include "tests/support/seed.hpp"
 
 namespace setsquare::surface_points_test {
@@ -117,6 +117,50 @@ TEST(SurfacePoints, DoNotDependOnTheRotationSense) {
   }
 }
 
+/// Share of the returns that a line fits, and how far off their lines' directions are (mean, rad),
+/// in the middle of a square room.
+struct LinesOfRoom {
+  double share = 0.0;
+  double mean_off_rad = 0.0;
+};
+
+LinesOfRoom lines_of_room(double noise_m, const SurfaceParams& params) {
+  constexpr int kNumScans = 10;
+  constexpr double kHalfRoom_m = 2.0;
+  auto generator = testing::make_generator();
+  const Scan exact = testing::scan_of_room(
+      {kHalfRoom_m, kHalfRoom_m, 0.0}, 2.0 * kHalfRoom_m, 2.0 * kHalfRoom_m, kFullTurn.num_beams);
+  std::normal_distribution<double> noise(0.0, noise_m);
+  std::size_t num_returns = 0;
+  std::size_t num_lines = 0;
+  double sum_off_rad = 0.0;
+  for (int i = 0; i < kNumScans; ++i) {
+    Scan scan = exact;
+    for (double& range_m : scan.ranges_m) range_m += noise(generator);
+    const SurfacePoints points = surface_points_from_scan(scan, params);
+    num_returns += points.size();
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      if (points.normal_x[k] == 0.0F && points.normal_y[k] == 0.0F) continue;
+      const double direction_rad = std::atan2(points.normal_y[k], points.normal_x[k]);
+      ++num_lines;
+      sum_off_rad += std::abs(std::remainder(direction_rad, 0.5 * kPi));
+    }
+  }
+  return {static_cast<double>(num_lines) / static_cast<double>(num_returns),
+          sum_off_rad / static_cast<double>(num_lines)};
+}
+
+TEST(SurfacePoints, LinesFitAsWellAsTheScannerMeasures) {
+  // Below 3.5 cm ranges are not smoothed.
+  const LinesOfRoom lines = lines_of_room(0.03, {});
+  EXPECT_GT(lines.share, 0.97);
+
+  // The rule switched off: what fits does so by chance, often by a few returns in a row.
+  const LinesOfRoom by_chance = lines_of_room(0.03, {.max_fit_noise = 0.0});
+  EXPECT_LT(by_chance.share, 0.9);
+  EXPECT_LT(lines.mean_off_rad, by_chance.mean_off_rad);
+}
+
 TEST(SurfacePoints, StayFiniteWhateverTheRanges) {
   constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInf = std::numeric_limits<double>::infinity();
@@ -162,6 +206,7 @@ TEST(SurfaceParams, NamesTheFieldThatIsOutsideItsDomain) {
   EXPECT_THAT(complaint({.max_join_m = 0.0}), ::testing::HasSubstr("max_join_m"));
   EXPECT_THAT(complaint({.fit_radius_m = std::nan("")}), ::testing::HasSubstr("fit_radius_m"));
   EXPECT_THAT(complaint({.max_fit_rms_m = 0.0}), ::testing::HasSubstr("max_fit_rms_m"));
+  EXPECT_THAT(complaint({.max_fit_noise = -1.0}), ::testing::HasSubstr("max_fit_noise"));
   EXPECT_THAT(complaint({.max_weight_m = 0.0}), ::testing::HasSubstr("max_weight_m"));
 }
 
