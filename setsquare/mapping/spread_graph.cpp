@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/mapping/audit/unseconded_steps.hpp"
 
 namespace setsquare {
 namespace {
@@ -95,6 +96,15 @@ void widen(const Map& map, Constraint& step) {
   step.information *= (Eigen::Matrix3d::Identity() + bound).inverse();
 }
 
+/// Whether a closure ties keyframes on both sides of one of the steps, a few steps from each other.
+bool ties_across(const Constraint& constraint, std::span<const std::size_t> steps) {
+  const auto [first, last] = std::minmax(constraint.from, constraint.to);
+  if (constraint.kind != ConstraintKind::kLoopClosure || last - first > kMaxSecondingSteps) {
+    return false;
+  }
+  return std::ranges::any_of(steps, [&](std::size_t step) { return first < step && step <= last; });
+}
+
 /// For each keyframe how often the turn was lost before it.
 std::vector<std::size_t> sure_parts(const PoseGraph& graph,
                                     std::size_t num_keyframes,
@@ -133,6 +143,8 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
     if (!is_tracked_step(step) || !(turns.variance_rad2[step.to] > 0.0)) continue;
     open_step(map, turns.variance_rad2[step.to], step);
   }
+  std::erase_if(graph.constraints,
+                [&](const Constraint& constraint) { return ties_across(constraint, unseconded); });
   for (Constraint& step : graph.constraints) {
     const bool is_doubtful =
         is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();

@@ -22,7 +22,8 @@ namespace setsquare {
 ///    better than 15 degrees the quarter is a guess: heading measurements count on one side of it
 ///    only, where they have the most information. A closure over it brings them together again.
 /// 3. A long step that no independent match seconds may be a wrong one: it is as uncertain as such
-///    steps are, or as the odometry where that tells it, too.
+///    steps are, or as the odometry where that tells it, too. Closures across it of keyframes that
+///    no more than kMaxSecondingSteps lie between were found where it led, and are left out.
 /// `unseconded`: the keyframes to which they lead (AuditFindings::unseconded).
 [[nodiscard]] PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded = {});
 

@@ -7,9 +7,6 @@
 namespace setsquare {
 namespace {
 
-/// Scans of a pair lie at most so many steps apart: farther off they seldom see the same.
-constexpr std::size_t kMaxSteps = 3;
-
 /// The pairs of scans so many steps apart that span a step.
 std::vector<AuditPair> pairs_across(const std::vector<std::size_t>& steps,
                                     std::size_t num_steps,
@@ -33,7 +30,7 @@ std::vector<std::size_t> without_second(const std::vector<std::size_t>& steps,
                                         const AuditParams& params) {
   std::vector<int> majority(track.size(), 0);  // Of the matches that agree.
   for (const AuditMatch& match : matches) {
-    if (match.pair.to - match.pair.from > kMaxSteps) continue;
+    if (match.pair.to - match.pair.from > kMaxSecondingSteps) continue;
     const int vote = agrees(audit_offset(match, track, params), params) ? 1 : -1;
     for (std::size_t k = match.pair.from + 1; k <= match.pair.to; ++k) majority[k] += vote;
   }
@@ -51,7 +48,7 @@ std::vector<std::size_t> unseconded_steps(const AuditedTrack& track,
   const auto left = [&] {
     return without_second(track.long_steps, matched.matches(), track, params);
   };
-  matched.match(pairs_across(left(), kMaxSteps, track), MatchEffort::kQuick);
+  matched.match(pairs_across(left(), kMaxSecondingSteps, track), MatchEffort::kQuick);
   return left();
 }
 

@@ -11,6 +11,9 @@
 
 namespace setsquare {
 
+/// Scans that tell of a step lie at most so many steps apart: farther off they seldom see the same.
+inline constexpr std::size_t kMaxSecondingSteps = 3;
+
 /// The long steps of a track (AuditedTrack::long_steps) that no independent match seconds: for logs
 /// of key frames. There a few matches tell each step, by rules that ask less than the audit's, and
 /// one that is wrong bends all that follows. Scans up to two steps apart are matched, and up to
