@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
+#include "setsquare/mapping/anchored_keyframes.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
 #include "setsquare/mapping/audit/seen_through.hpp"
 #include "setsquare/mapping/heading_spread.hpp"
@@ -56,44 +58,6 @@ std::vector<HeadingEvidence> evidence_of_joined(std::vector<HeadingEvidence> evi
   return evidence;
 }
 
-/// The motion that brings the graph's poses, all in all, nearest to where the anchors have them.
-Pose2 motion_to_anchors(const PoseGraph& graph, std::span<const AnchoredKeyframe> anchors) {
-  constexpr double kHeadingWeight_m2 = 1.0;  // Of a keyframe's heading: a robot may have stood.
-  const auto num = static_cast<double>(anchors.size());
-  Eigen::Vector2d from = Eigen::Vector2d::Zero();
-  Eigen::Vector2d to = Eigen::Vector2d::Zero();
-  for (const AnchoredKeyframe& anchor : anchors) {
-    from += graph.T_map_node[anchor.keyframe].translation() / num;
-    to += anchor.T_map_sensor.translation() / num;
-  }
-  double sin_sum = 0.0;
-  double cos_sum = 0.0;
-  for (const AnchoredKeyframe& anchor : anchors) {
-    const Pose2& node = graph.T_map_node[anchor.keyframe];
-    const Eigen::Vector2d a = node.translation() - from;
-    const Eigen::Vector2d b = anchor.T_map_sensor.translation() - to;
-    const double turn_rad = anchor.T_map_sensor.theta_rad - node.theta_rad;
-    sin_sum += a.x() * b.y() - a.y() * b.x() + kHeadingWeight_m2 * std::sin(turn_rad);
-    cos_sum += a.dot(b) + kHeadingWeight_m2 * std::cos(turn_rad);
-  }
-  const double turn_rad = std::atan2(sin_sum, cos_sum);
-  const Eigen::Vector2d shift_m = to - rotation_matrix(turn_rad) * from;
-  return {shift_m.x(), shift_m.y(), turn_rad};
-}
-
-/// Moves the poses, and turns the headings with them.
-void move_by(const Pose2& T, PoseGraph& graph, FusedHeadings& headings) {
-  for (Pose2& node : graph.T_map_node) node = T * node;
-  for (HeadingMeasurement& heading : graph.headings) {
-    heading.heading_rad = wrap_to_pi(heading.heading_rad + T.theta_rad);
-  }
-  for (std::size_t k = 0; k < headings.heading_rad.size(); ++k) {
-    headings.heading_rad[k] += T.theta_rad;
-    headings.drift_rad[k] += T.theta_rad;
-    headings.measured_heading_rad[k] += T.theta_rad;
-  }
-}
-
 /// Whether a constraint of graph_along() is a closure that establishes that two keyframes see the
 /// same place.
 bool is_revisit(const Constraint& constraint, const LoopCloser& closer) {
@@ -106,8 +70,10 @@ bool is_revisit(const Constraint& constraint, const LoopCloser& closer) {
 /// closure's constraint is its index in LoopCloser::compared().
 PoseGraph graph_along(const KeyframeTrack& track,
                       std::span<const double> headings_rad,
-                      const LoopCloser& closer) {
+                      const LoopCloser& closer,
+                      std::span<const SlippedSteps> slips = {}) {
   PoseGraph graph = pose_graph_of(track, headings_rad);
+  loosen_slipped(slips, graph);
   const std::vector<ComparedPlaces>& compared = closer.compared();
   for (std::size_t i = 0; i < compared.size(); ++i) {
     if (!is_accepted(compared[i].verdict.reason)) continue;
@@ -123,8 +89,9 @@ void close_loops(const KeyframeTrack& track,
                  std::span<const double> headings_rad,
                  std::size_t num_keyframes,
                  const MapperParams& params,
-                 LoopCloser& closer) {
-  PoseGraph graph = graph_along(track, headings_rad, closer);
+                 LoopCloser& closer,
+                 std::span<const SlippedSteps> slips) {
+  PoseGraph graph = graph_along(track, headings_rad, closer, slips);
   loosen_across(track.size() - 1, false, graph);
   const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
   for (std::size_t k = 0; k < positions_m.size(); ++k) {
@@ -286,7 +253,8 @@ LoopCloser MapMaker::closer_of_first_session() const {
 }
 
 Map MapMaker::map_of(const Closed& closed) const {
-  PoseGraph graph = graph_along(log_.track, closed.headings.heading_rad, closed.closer);
+  PoseGraph graph =
+      graph_along(log_.track, closed.headings.heading_rad, closed.closer, closed.slips);
   graph.headings = heading_measurements(closed.headings);
   if (log_.track.size() > 1) {
     loosen_across(log_.track.size() - 1, true, graph);
@@ -356,32 +324,34 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
   };
   AuditFindings findings = audited(map);
   for (int round = 0; round < params_.audit.max_mendings; ++round) {
-    const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
-    std::vector<Closed> stories;
-    if (!hypotheses.empty()) {
-      stories = closed_with_turns(closed, hypotheses);
-      stories.push_back(closed_with(closed, hypotheses));
-    }
-    const std::size_t num_others = stories.size();
-    if (params_.outvoted.is_on) {
-      const std::vector<TurnedWalls> turned = outvoted_in(closed, &findings);
-      if (!turned.empty()) stories.push_back(closed_with_walls(closed, turned, hypotheses));
-    }
-    if (stories.empty()) break;
     bool is_mended = false;
-    for (std::size_t i = 0; i < stories.size(); ++i) {
-      Closed& story = stories[i];
+    const auto keep_if_better = [&](Closed story, bool is_of_walls) {
       Map told = map_of(story);
       AuditFindings of_told = audited(told);
       const bool mends_headings =
-          i >= num_others && explains_as_much(of_told.report, findings.report) &&
+          is_of_walls && explains_as_much(of_told.report, findings.report) &&
           num_places_against_in(story, &of_told) < num_places_against_in(closed, &findings);
-      if (!mends_headings && !explains_more(of_told.report, findings.report)) continue;
+      if (!mends_headings && !explains_more(of_told.report, findings.report)) return;
       closed = std::move(story);
       map = std::move(told);
       findings = std::move(of_told);
       is_mended = true;
+    };
+    const Closed before = closed;
+    const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
+    std::vector<SlippedSteps> slips = slipped_steps(findings, map.graph);
+    std::vector<TurnedWalls> turned;
+    if (params_.outvoted.is_on) turned = outvoted_in(closed, &findings);
+    if (!hypotheses.empty()) {
+      for (Closed& story : closed_with_turns(before, hypotheses)) {
+        keep_if_better(std::move(story), false);
+      }
+      keep_if_better(closed_with(before, hypotheses), false);
     }
+    if (!is_mended && !slips.empty()) {
+      keep_if_better(closed_with_slips(before, std::move(slips), hypotheses), false);
+    }
+    if (!turned.empty()) keep_if_better(closed_with_walls(before, turned, hypotheses), true);
     if (!is_mended) break;
   }
   if (!findings.unseconded.empty()) add_certainty(map, params_.motion, findings.unseconded);
@@ -393,7 +363,8 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
   Closed mended{.turn_checks = closed.turn_checks,
                 .headings = closed.headings,
                 .closer = LoopCloser(params_.closing),
-                .joined = closed.joined};
+                .joined = closed.joined,
+                .slips = closed.slips};
   for (const MapHypothesis& hypothesis : hypotheses) {
     mended.joined.joints.push_back(matched_places(hypothesis.keyframe_from,
                                                   hypothesis.keyframe_to,
@@ -403,6 +374,14 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
   mended.closer.add_joints(mended.joined.joints);
   close_all_loops(mended);
   return mended;
+}
+
+MapMaker::Closed MapMaker::closed_with_slips(const Closed& closed,
+                                             std::vector<SlippedSteps> slips,
+                                             const std::vector<MapHypothesis>& hypotheses) const {
+  Closed slipped = closed;
+  std::ranges::move(slips, std::back_inserter(slipped.slips));
+  return closed_with(slipped, hypotheses);
 }
 
 std::vector<TurnedWalls> MapMaker::outvoted_in(const Closed& closed,
@@ -465,7 +444,7 @@ std::vector<MapMaker::Closed> MapMaker::closed_with_turns(
 void MapMaker::close_all_loops(Closed& closed) const {
   for (std::size_t end = closed.closer.num_looked_at(); end < log_.track.size();) {
     end = std::min(next_closing(end, params_), log_.track.size());
-    close_loops(log_.track, closed.headings.heading_rad, end, params_, closed.closer);
+    close_loops(log_.track, closed.headings.heading_rad, end, params_, closed.closer, closed.slips);
   }
 }
 

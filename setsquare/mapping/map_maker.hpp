@@ -10,11 +10,13 @@
 #include <string>
 #include <vector>
 
+#include "setsquare/mapping/anchored_keyframes.hpp"
 #include "setsquare/mapping/audit/audit.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
 #include "setsquare/mapping/pieces/piece_joining.hpp"
+#include "setsquare/mapping/slipped_steps.hpp"
 #include "setsquare/mapping/turn_checks.hpp"
 
 namespace setsquare {
@@ -25,11 +27,13 @@ namespace setsquare {
 ///    are solved.
 /// 2. The places of the first `num_keyframes` that the closer has not seen are compared with those
 ///    near by.
+/// `slips`: see loosen_slipped().
 void close_loops(const KeyframeTrack& track,
                  std::span<const double> headings_rad,
                  std::size_t num_keyframes,
                  const MapperParams& params,
-                 LoopCloser& closer);
+                 LoopCloser& closer,
+                 std::span<const SlippedSteps> slips = {});
 
 /// The track laid out along its headings, positions and weights of the closures accepted so far by
 /// graduated non-convexity. The source of a closure's constraint is its index in
@@ -45,12 +49,6 @@ void close_loops(const KeyframeTrack& track,
 
 /// Keyframes at which loops are looked for again.
 [[nodiscard]] std::size_t next_closing(std::size_t num_closed, const MapperParams& params);
-
-/// A keyframe of the map that is gone on with, where that map has it: users know places by it.
-struct AnchoredKeyframe {
-  std::size_t keyframe = 0;
-  Pose2 T_map_sensor;
-};
 
 /// What was tracked and found on the way, of which a map is made. Everything must outlive the maker
 /// of the map.
@@ -108,6 +106,7 @@ class MapMaker {
     FusedHeadings headings;
     LoopCloser closer;
     JoinedPieces joined;
+    std::vector<SlippedSteps> slips = {};  ///< That an audit found.
   };
 
   /// The map, or the track alone where it throws; `close`: the loops.
@@ -136,6 +135,10 @@ class MapMaker {
   /// All loops closed again along its headings, with those that the hypotheses tell.
   [[nodiscard]] Closed closed_with(const Closed& closed,
                                    const std::vector<MapHypothesis>& hypotheses) const;
+  /// The same where tracking slipped as the hypotheses tell.
+  [[nodiscard]] Closed closed_with_slips(const Closed& closed,
+                                         std::vector<SlippedSteps> slips,
+                                         const std::vector<MapHypothesis>& hypotheses) const;
   /// The same with a turn that the walls left undecided as the hypotheses tell it: tracking slipped
   /// there, or it did not. One for each such turn that would explain what they say of the headings.
   [[nodiscard]] std::vector<Closed> closed_with_turns(
@@ -163,8 +166,8 @@ class MapMaker {
   /// Closes loops behind open stretches, wherever they are (closures_anywhere).
   void close_anywhere(Closed& closed, Map& map) const;
   /// Matches scans of the map, and where they contradict it alike closes the loops again by them,
-  /// and decides turns and turns walls by them; the new map stays if it explains more of all
-  /// matches. Then the doubts that are left.
+  /// decides turns and turns walls by them, and loosens steps over which tracking slipped; the new
+  /// map stays if it explains more of all matches. Then the doubts that are left.
   void audit_and_mend(Closed& closed, Map& map) const;
 
   /// Keyframes that the map contradicts.
