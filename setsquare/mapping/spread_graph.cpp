@@ -85,14 +85,31 @@ bool is_told_by_odometry(const Map& map, std::size_t keyframe) {
          keyframe < map.track.motions.size() && map.track.motions[keyframe].covariance.has_odometry;
 }
 
-/// Makes a step as uncertain as one that may be wrong.
-void widen(const Map& map, Constraint& step) {
-  const bool is_told = is_told_by_odometry(map, step.to);
-  const double sigma_m = is_told ? kWrongStepByOdometry_m : kWrongStep_m;
-  const double sigma_rad = is_told ? kWrongStepByOdometry_rad : kWrongStep_rad;
+/// Adds to the covariance of a step.
+void widen(double sigma_m, double sigma_rad, Constraint& step) {
   const Eigen::Vector3d variances(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
   const Eigen::Matrix3d bound = Eigen::Matrix3d(variances.asDiagonal()) * step.information;
   step.information *= (Eigen::Matrix3d::Identity() + bound).inverse();
+}
+
+/// Makes a step as uncertain as one that may be wrong.
+void doubt(const Map& map, Constraint& step) {
+  if (is_told_by_odometry(map, step.to)) {
+    widen(kWrongStepByOdometry_m, kWrongStepByOdometry_rad, step);
+  } else {
+    widen(kWrongStep_m, kWrongStep_rad, step);
+  }
+}
+
+/// Makes the steps that departed from the odometry as uncertain as scans and odometry differ.
+void widen_departures(const Map& map, PoseGraph& graph) {
+  if (map.track.motions.size() != map.keyframes.size()) return;
+  for (Constraint& step : graph.constraints) {
+    if (!is_tracked_step(step)) continue;
+    const MotionCovariance& motion = map.track.motions[step.to].covariance;
+    if (!(motion.departure_sigma_m + motion.departure_sigma_rad > 0.0)) continue;
+    widen(motion.departure_sigma_m, motion.departure_sigma_rad, step);
+  }
 }
 
 /// For each keyframe how often the turn was lost before it.
@@ -128,6 +145,7 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
   });
   std::erase_if(graph.headings,
                 [&](const HeadingMeasurement& heading) { return is_open(map, heading.node); });
+  widen_departures(map, graph);
   const OpenTurns turns = open_turns(map);
   for (Constraint& step : graph.constraints) {
     if (!is_tracked_step(step) || !(turns.variance_rad2[step.to] > 0.0)) continue;
@@ -136,7 +154,7 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
   for (Constraint& step : graph.constraints) {
     const bool is_doubtful =
         is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();
-    if (is_doubtful) widen(map, step);
+    if (is_doubtful) doubt(map, step);
   }
   const std::vector<std::size_t> parts = sure_parts(graph, map.keyframes.size(), turns);
   if (parts.empty() || parts.back() == 0) return graph;

@@ -23,6 +23,9 @@ namespace setsquare {
 ///    only, where they have the most information. A closure over it brings them together again.
 /// 3. A long step that no independent match seconds may be a wrong one: it is as uncertain as such
 ///    steps are, or as the odometry where that tells it, too.
+/// 4. A step that departs from odometry that has proved true is as uncertain as the two differ:
+///    where there are people about the robot a scan is pulled aside. It is so here only: mostly the
+///    scans are right, and headings told by walls hang on the tracked rotation.
 /// `unseconded`: the keyframes to which they lead (AuditFindings::unseconded).
 [[nodiscard]] PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded = {});
 

@@ -127,6 +127,26 @@ TEST(SpreadGraph, AStepThatNothingSecondsMayBeAWrongOneUntilAClosureTells) {
   EXPECT_LT(sigmas(steps, last).first, 0.1);
 }
 
+TEST(SpreadGraph, AStepThatDepartsFromTheOdometryMayBeOffByAsMuch) {
+  HallDrive drive(0.0);
+  for (MappedScan& scan : drive.map.scans) scan.is_turn_open = false;
+  drive.map.graph.headings.clear();
+  drive.map.graph.headings.push_back({0, 0.0, 1.0 / (kSureHeading_rad * kSureHeading_rad)});
+  drive.map.track.motions.resize(kNumScans);
+  const auto spread_at = [&](std::size_t node) {
+    const MarginalCovariance marginals(spread_graph(drive.map));
+    return std::pair{sigma_along_m(marginals.of_way(0, node), {1.0, 0.0}),
+                     std::sqrt(marginals.of_heading(node))};
+  };
+  const auto usual = spread_at(kFirstOpen);
+  MotionCovariance& motion = drive.map.track.motions[kFirstOpen].covariance;
+  motion.departure_sigma_m = 0.4;
+  motion.departure_sigma_rad = 0.2;
+  const auto departed = spread_at(kFirstOpen);
+  EXPECT_NEAR(departed.first, std::hypot(usual.first, 0.4), 1e-6);
+  EXPECT_NEAR(departed.second, std::hypot(usual.second, 0.2), 1e-6);
+}
+
 TEST(SpreadGraph, InAnOpenRunSigmasOfTurnsAddUp) {
   const double step_rad = 0.1;
   const HallDrive drive(step_rad);
