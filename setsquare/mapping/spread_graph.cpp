@@ -3,16 +3,20 @@
 #include "setsquare/mapping/spread_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <Eigen/LU>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/headings/heading_params.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Three of them are half a quarter turn.
-constexpr double kSureTurn_rad = rad_from_deg(15.0);
+/// A heading that walls measure is known modulo this.
+constexpr double kQuarterTurn_rad = 0.5 * kPi;
+/// A frame of the building that fewer keyframes see tells nothing of its wings.
+constexpr double kMinSupport = HeadingFramesParams{}.min_support;
 
 /// How far a wrong step among key frames is off (sigma): places that look alike are metres apart,
 /// and turned by up to a half turn against each other.
@@ -112,19 +116,34 @@ void widen_departures(const Map& map, PoseGraph& graph) {
   }
 }
 
+/// How certain a turn must be (sigma) for walls to tell the heading behind it: three of these are
+/// half of the least angle that walls of the building stand at to each other, be it the quarter.
+double sure_turn_rad(const std::vector<BuildingFrame>& frames) {
+  double least_rad = kQuarterTurn_rad;
+  for (std::size_t f = 1; f < frames.size(); ++f) {
+    for (std::size_t g = 0; g < f; ++g) {
+      if (std::min(frames[f].support, frames[g].support) < kMinSupport) continue;
+      const double angle_rad =
+          wrap_to_period(frames[f].offset_rad - frames[g].offset_rad, kQuarterTurn_rad);
+      least_rad = std::min(least_rad, std::abs(angle_rad));
+    }
+  }
+  return least_rad / 6.0;
+}
+
 /// For each keyframe how often the turn was lost before it.
 std::vector<std::size_t> sure_parts(const PoseGraph& graph,
                                     std::size_t num_keyframes,
-                                    const OpenTurns& turns) {
-  constexpr double kSure_rad2 = kSureTurn_rad * kSureTurn_rad;
+                                    const OpenTurns& turns,
+                                    double sure_rad) {
   std::vector<std::size_t> parts(num_keyframes, 0);
   for (const Constraint& step : graph.constraints) {
     if (!is_tracked_step(step)) continue;
     const double information = step.information(2, 2);
-    if (!(information * kSure_rad2 > 1.0)) parts[step.to] = 1;
+    if (!(information * sure_rad * sure_rad > 1.0)) parts[step.to] = 1;
   }
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    const bool is_lost = turns.run_rad[k] > kSureTurn_rad;
+    const bool is_lost = turns.run_rad[k] > sure_rad;
     parts[k] = parts[k - 1] + (parts[k] > 0 || is_lost ? 1 : 0);
   }
   return parts;
@@ -156,7 +175,8 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
         is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();
     if (is_doubtful) doubt(map, step);
   }
-  const std::vector<std::size_t> parts = sure_parts(graph, map.keyframes.size(), turns);
+  const std::vector<std::size_t> parts =
+      sure_parts(graph, map.keyframes.size(), turns, sure_turn_rad(map.frames));
   if (parts.empty() || parts.back() == 0) return graph;
   std::vector<double> information(parts.back() + 1, 0.0);
   for (const HeadingMeasurement& heading : graph.headings) {
