@@ -13,10 +13,12 @@
 namespace setsquare {
 namespace {
 
-/// Whether nothing was lost, found again or open on the way to a keyframe.
+/// Whether nothing was lost, found again or open on the way to a keyframe, and no odometry spoke
+/// against it.
 bool is_undisturbed(const KeyframeTrack& track, std::size_t keyframe) {
+  const MotionCovariance& motion = track.motions[keyframe];
   return track.pieces[keyframe] == track.pieces[keyframe - 1] &&
-         !(track.motions[keyframe].slip_sigma_m > 0.0);
+         !(motion.slip_sigma_m + motion.departure_sigma_m > 0.0);
 }
 
 }  // namespace

@@ -3,17 +3,21 @@
 #include "setsquare/mapping/spread_graph.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <Eigen/LU>
 #include <vector>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/headings/heading_params.hpp"
 #include "setsquare/mapping/audit/unseconded_steps.hpp"
 
 namespace setsquare {
 namespace {
 
-/// Three of them are half a quarter turn.
-constexpr double kSureTurn_rad = rad_from_deg(15.0);
+/// A heading that walls measure is known modulo this.
+constexpr double kQuarterTurn_rad = 0.5 * kPi;
+/// A frame of the building that fewer keyframes see tells nothing of its wings.
+constexpr double kMinSupport = HeadingFramesParams{}.min_support;
 
 /// How far a wrong step among key frames is off (sigma): places that look alike are metres apart,
 /// and turned by up to a half turn against each other.
@@ -86,11 +90,8 @@ bool is_told_by_odometry(const Map& map, std::size_t keyframe) {
          keyframe < map.track.motions.size() && map.track.motions[keyframe].covariance.has_odometry;
 }
 
-/// Makes a step as uncertain as one that may be wrong.
-void widen(const Map& map, Constraint& step) {
-  const bool is_told = is_told_by_odometry(map, step.to);
-  const double sigma_m = is_told ? kWrongStepByOdometry_m : kWrongStep_m;
-  const double sigma_rad = is_told ? kWrongStepByOdometry_rad : kWrongStep_rad;
+/// Adds to the covariance of a step.
+void widen(double sigma_m, double sigma_rad, Constraint& step) {
   const Eigen::Vector3d variances(sigma_m * sigma_m, sigma_m * sigma_m, sigma_rad * sigma_rad);
   const Eigen::Matrix3d bound = Eigen::Matrix3d(variances.asDiagonal()) * step.information;
   step.information *= (Eigen::Matrix3d::Identity() + bound).inverse();
@@ -105,19 +106,54 @@ bool ties_across(const Constraint& constraint, std::span<const std::size_t> step
   return std::ranges::any_of(steps, [&](std::size_t step) { return first < step && step <= last; });
 }
 
+/// Makes a step as uncertain as one that may be wrong.
+void doubt(const Map& map, Constraint& step) {
+  if (is_told_by_odometry(map, step.to)) {
+    widen(kWrongStepByOdometry_m, kWrongStepByOdometry_rad, step);
+  } else {
+    widen(kWrongStep_m, kWrongStep_rad, step);
+  }
+}
+
+/// Makes the steps that departed from the odometry as uncertain as scans and odometry differ.
+void widen_departures(const Map& map, PoseGraph& graph) {
+  if (map.track.motions.size() != map.keyframes.size()) return;
+  for (Constraint& step : graph.constraints) {
+    if (!is_tracked_step(step)) continue;
+    const MotionCovariance& motion = map.track.motions[step.to].covariance;
+    if (!(motion.departure_sigma_m + motion.departure_sigma_rad > 0.0)) continue;
+    widen(motion.departure_sigma_m, motion.departure_sigma_rad, step);
+  }
+}
+
+/// How certain a turn must be (sigma) for walls to tell the heading behind it: three of these are
+/// half of the least angle that walls of the building stand at to each other, be it the quarter.
+double sure_turn_rad(const std::vector<BuildingFrame>& frames) {
+  double least_rad = kQuarterTurn_rad;
+  for (std::size_t f = 1; f < frames.size(); ++f) {
+    for (std::size_t g = 0; g < f; ++g) {
+      if (std::min(frames[f].support, frames[g].support) < kMinSupport) continue;
+      const double angle_rad =
+          wrap_to_period(frames[f].offset_rad - frames[g].offset_rad, kQuarterTurn_rad);
+      least_rad = std::min(least_rad, std::abs(angle_rad));
+    }
+  }
+  return least_rad / 6.0;
+}
+
 /// For each keyframe how often the turn was lost before it.
 std::vector<std::size_t> sure_parts(const PoseGraph& graph,
                                     std::size_t num_keyframes,
-                                    const OpenTurns& turns) {
-  constexpr double kSure_rad2 = kSureTurn_rad * kSureTurn_rad;
+                                    const OpenTurns& turns,
+                                    double sure_rad) {
   std::vector<std::size_t> parts(num_keyframes, 0);
   for (const Constraint& step : graph.constraints) {
     if (!is_tracked_step(step)) continue;
     const double information = step.information(2, 2);
-    if (!(information * kSure_rad2 > 1.0)) parts[step.to] = 1;
+    if (!(information * sure_rad * sure_rad > 1.0)) parts[step.to] = 1;
   }
   for (std::size_t k = 1; k < parts.size(); ++k) {
-    const bool is_lost = turns.run_rad[k] > kSureTurn_rad;
+    const bool is_lost = turns.run_rad[k] > sure_rad;
     parts[k] = parts[k - 1] + (parts[k] > 0 || is_lost ? 1 : 0);
   }
   return parts;
@@ -138,6 +174,7 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
   });
   std::erase_if(graph.headings,
                 [&](const HeadingMeasurement& heading) { return is_open(map, heading.node); });
+  widen_departures(map, graph);
   const OpenTurns turns = open_turns(map);
   for (Constraint& step : graph.constraints) {
     if (!is_tracked_step(step) || !(turns.variance_rad2[step.to] > 0.0)) continue;
@@ -148,9 +185,10 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
   for (Constraint& step : graph.constraints) {
     const bool is_doubtful =
         is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();
-    if (is_doubtful) widen(map, step);
+    if (is_doubtful) doubt(map, step);
   }
-  const std::vector<std::size_t> parts = sure_parts(graph, map.keyframes.size(), turns);
+  const std::vector<std::size_t> parts =
+      sure_parts(graph, map.keyframes.size(), turns, sure_turn_rad(map.frames));
   if (parts.empty() || parts.back() == 0) return graph;
   std::vector<double> information(parts.back() + 1, 0.0);
   for (const HeadingMeasurement& heading : graph.headings) {

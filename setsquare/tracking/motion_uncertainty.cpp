@@ -125,7 +125,9 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
       }
       break;
   }
-  add_jump(tracked.departure.distance_m, tracked.departure.turn_rad);
+  const StepReach& departure = tracked.departure;
+  departure_variance_m2_ += departure.distance_m * departure.distance_m;
+  departure_variance_rad2_ += departure.turn_rad * departure.turn_rad;
   if (tracked.is_restart && has_odometry_) {
     add_jump(params_.restart_sigma_m_by_odometry, params_.restart_sigma_rad_by_odometry);
   } else if (tracked.is_restart) {
@@ -159,11 +161,15 @@ MotionCovariance MotionUncertainty::take(double share_of_step) {
   covariance.has_odometry = has_odometry_;
   covariance.is_long_step = is_long_step_;
   covariance.slip_sigma_m = std::sqrt(jump_variance_m2_ + open_m2.trace());
+  covariance.departure_sigma_m = std::sqrt(departure_variance_m2_);
+  covariance.departure_sigma_rad = std::sqrt(departure_variance_rad2_);
   T_odom_keyframe_ = T_odom_last_;
   open_sigma_m_.setZero();
   open_sigma_by_odometry_m_.setZero();
   jump_variance_m2_ = 0.0;
   jump_variance_rad2_ = 0.0;
+  departure_variance_m2_ = 0.0;
+  departure_variance_rad2_ = 0.0;
   has_odometry_ = true;
   return covariance;
 }

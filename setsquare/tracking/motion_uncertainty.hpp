@@ -60,6 +60,8 @@ class MotionUncertainty {
   std::size_t open_stretch_ = 0;
   double jump_variance_m2_ = 0.0;
   double jump_variance_rad2_ = 0.0;
+  double departure_variance_m2_ = 0.0;
+  double departure_variance_rad2_ = 0.0;
   /// Scans in a row whose turn is open. Their errors are one error: sigmas add up.
   struct OpenTurnRun {
     double seconds = 0.0;   ///< Since when no scan has told the rate of turn.

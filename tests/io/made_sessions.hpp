@@ -37,7 +37,7 @@ void list_sessions(Listing& out, const Map& map) {
     for (const double value : c.translation_m2.reshaped()) add(value);
     for (const double value : c.open_sigma_m.reshaped()) add(value);
     add(T_odom_body, stretch, share_of_place, c.rotation_rad2, c.open_stretch, c.slip_sigma_m);
-    add(c.has_odometry, c.is_long_step);
+    add(c.has_odometry, c.is_long_step, c.departure_sigma_m, c.departure_sigma_rad);
   }
 }
 

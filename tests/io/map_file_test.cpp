@@ -199,6 +199,19 @@ TEST(MapFile, WherePosesWereForgottenIsToldWhereAnyWere) {
   EXPECT_EQ(text_of(saved).find("forgotten_poses[1]") == std::string::npos, false);
 }
 
+TEST(MapFile, WhereTheTrackDepartsFromTheOdometryIsToldWhereItDoes) {
+  SavedMap saved = made_map(5, 6);
+  const Sections without = sections_of(saved);
+  MotionCovariance& motion = saved.map.track.motions.back().covariance;
+  motion.departure_sigma_m = 0.4;
+  motion.departure_sigma_rad = 0.2;
+  expect_one_more("DEPA", without, saved);
+  Sections file = sections_of(saved);
+  const auto told = std::ranges::find(file.sections, "DEPA", &Section::id);
+  told->bytes[8] = 77;  // The keyframe, behind the number of those that are told.
+  EXPECT_THAT(complaint_about(file), HasSubstr("section DEPA names a keyframe"));
+}
+
 /// Eight bytes of every section are made a huge number, wherever they stand: counts among them.
 TEST(MapFile, AnyCountInAHostileFileIsHeldAgainstWhatIsLeft) {
   const Sections file = sections_of(made_map(5, 6));

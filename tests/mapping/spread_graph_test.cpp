@@ -133,6 +133,57 @@ TEST(SpreadGraph, AStepThatNothingSecondsMayBeAWrongOneUntilAClosureTells) {
   EXPECT_LT(sigmas(steps, last).first, 0.1);
 }
 
+TEST(SpreadGraph, AStepThatDepartsFromTheOdometryMayBeOffByAsMuch) {
+  HallDrive drive(0.0);
+  for (MappedScan& scan : drive.map.scans) scan.is_turn_open = false;
+  drive.map.graph.headings.clear();
+  drive.map.graph.headings.push_back({0, 0.0, 1.0 / (kSureHeading_rad * kSureHeading_rad)});
+  drive.map.track.motions.resize(kNumScans);
+  const auto spread_at = [&](std::size_t node) {
+    const MarginalCovariance marginals(spread_graph(drive.map));
+    return std::pair{sigma_along_m(marginals.of_way(0, node), {1.0, 0.0}),
+                     std::sqrt(marginals.of_heading(node))};
+  };
+  const auto usual = spread_at(kFirstOpen);
+  MotionCovariance& motion = drive.map.track.motions[kFirstOpen].covariance;
+  motion.departure_sigma_m = 0.4;
+  motion.departure_sigma_rad = 0.2;
+  const auto departed = spread_at(kFirstOpen);
+  EXPECT_NEAR(departed.first, std::hypot(usual.first, 0.4), 1e-6);
+  EXPECT_NEAR(departed.second, std::hypot(usual.second, 0.2), 1e-6);
+}
+
+TEST(SpreadGraph, InABuildingOfWingsWallsTellNoHeadingBehindATurnThatIsNoSurer) {
+  HallDrive drive(0.0);
+  for (MappedScan& scan : drive.map.scans) scan.is_turn_open = false;
+  drive.map.track.motions.resize(kNumScans);
+  drive.map.track.motions[kFirstOpen].covariance.departure_sigma_rad = rad_from_deg(4.0);
+  const auto largest_sigma_rad = [&] {
+    const MarginalCovariance marginals(spread_graph(drive.map));
+    double largest_rad2 = 0.0;
+    for (std::size_t k = 0; k < kNumScans; ++k) {
+      largest_rad2 = std::max(largest_rad2, marginals.of_heading(k));
+    }
+    return std::sqrt(largest_rad2);
+  };
+  const auto building_of = [&](double angle_rad, double support) {
+    drive.map.frames = {{.support = 20.0}, {.offset_rad = angle_rad, .support = support}};
+  };
+  EXPECT_LT(largest_sigma_rad(), kSureHeading_rad) << "a quarter turn is more than that";
+  for (const double angle_deg : {10.0, -10.0, 80.0, 100.0}) {
+    building_of(rad_from_deg(angle_deg), 20.0);
+    EXPECT_GT(largest_sigma_rad(), rad_from_deg(4.0)) << angle_deg;
+    building_of(rad_from_deg(angle_deg), 2.0);
+    EXPECT_LT(largest_sigma_rad(), kSureHeading_rad) << "seen by two keyframes";
+  }
+  building_of(rad_from_deg(30.0), 20.0);
+  EXPECT_LT(largest_sigma_rad(), kSureHeading_rad) << "a turn of 4 degrees cannot be one of 30";
+  building_of(rad_from_deg(10.0), 20.0);
+  drive.map.graph.constraints.push_back(constraint_between(
+      drive.map.graph.T_map_node, 2, kNumScans - 1, ConstraintKind::kLoopClosure));
+  EXPECT_LT(largest_sigma_rad(), rad_from_deg(4.0)) << "a closure tells";
+}
+
 TEST(SpreadGraph, InAnOpenRunSigmasOfTurnsAddUp) {
   const double step_rad = 0.1;
   const HallDrive drive(step_rad);

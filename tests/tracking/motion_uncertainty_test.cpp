@@ -237,14 +237,18 @@ TEST(MotionUncertainty, RefusesWhatIsNoSigma) {
   EXPECT_NO_THROW(kParams.validate());
 }
 
-TEST(MotionUncertainty, WhereScansDepartFromProvedOdometryTheStepMayBeOffByAsMuch) {
+TEST(MotionUncertainty, WhereScansDepartFromProvedOdometryTheSpreadsAreToldAndNobodyElse) {
   TrackedPose departed = at({0.3, 0.0, 0.0});
   departed.departure = {.distance_m = 0.4, .turn_rad = 0.2};
   const MotionCovariance usual = covariance_of({at({}), at({0.3, 0.0, 0.0})}, true);
   const MotionCovariance covariance = covariance_of({at({}), departed}, true);
-  const Eigen::Matrix2d added_m2 = covariance.translation_m2 - usual.translation_m2;
-  EXPECT_TRUE(added_m2.isApprox(square(0.4) * Eigen::Matrix2d::Identity(), 1e-9));
-  EXPECT_NEAR(covariance.rotation_rad2 - usual.rotation_rad2, square(0.2), 1e-12);
+  EXPECT_NEAR(covariance.departure_sigma_m, 0.4, 1e-12);
+  EXPECT_NEAR(covariance.departure_sigma_rad, 0.2, 1e-12);
+  EXPECT_EQ(usual.departure_sigma_m, 0.0);
+  EXPECT_EQ(usual.departure_sigma_rad, 0.0);
+  EXPECT_EQ(covariance.translation_m2, usual.translation_m2);
+  EXPECT_EQ(covariance.rotation_rad2, usual.rotation_rad2);
+  EXPECT_EQ(covariance.slip_sigma_m, usual.slip_sigma_m);
 }
 
 }  // namespace setsquare::motion_uncertainty_test

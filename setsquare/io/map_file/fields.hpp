@@ -146,8 +146,12 @@ void describe(Archive& archive, Is<MotionCovariance> auto& covariance) {
          open_sigma_m,
          open_stretch,
          slip_sigma_m,
+         departure_sigma_m,
+         departure_sigma_rad,
          has_odometry,
          is_long_step] = covariance;
+  static_cast<void>(departure_sigma_m);  // In a section of their own.
+  static_cast<void>(departure_sigma_rad);
   archive(translation_m2,
           rotation_rad2,
           open_sigma_m,

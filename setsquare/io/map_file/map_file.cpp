@@ -37,21 +37,42 @@ struct KeptTable {
   std::vector<Entry> kept;
 };
 
+/// Where the track departs from the odometry (MotionCovariance), which it seldom does.
+struct Departure {
+  std::size_t keyframe = 0;
+  double sigma_m = 0.0;
+  double sigma_rad = 0.0;
+};
+
+/// What a file holds in another form than the map does.
+struct Tables {
+  KeptTable kept;
+  std::vector<Departure> departures;
+};
+
 template <typename Archive>
 void describe(Archive& archive, Is<KeptTable::Entry> auto& entry) {
   auto& [index, scan] = entry;
   archive(index, scan);
 }
 
+template <typename Archive>
+void describe(Archive& archive, Is<Departure> auto& departure) {
+  auto& [keyframe, sigma_m, sigma_rad] = departure;
+  archive(keyframe, sigma_m, sigma_rad);
+}
+
 }  // namespace map_file
 
 namespace {
 
+using map_file::Departure;
 using map_file::FieldReader;
 using map_file::FieldWriter;
 using map_file::KeptTable;
 using map_file::Section;
 using map_file::Sections;
+using map_file::Tables;
 
 KeptTable table_of(const std::vector<KeptScan>& kept_scans) {
   KeptTable table;
@@ -75,14 +96,35 @@ std::optional<std::vector<KeptScan>> kept_scans_of(const KeptTable& table) {
   return kept_scans;
 }
 
-/// Sections that a map may do without: it cannot be gone on with then, or has forgotten nothing.
-constexpr std::array<std::string_view, 3> kOptional{"SESS", "FORG", "GAPS"};
+std::vector<Departure> departures_of(const MapTrack& track) {
+  std::vector<Departure> departures;
+  for (std::size_t k = 0; k < track.motions.size(); ++k) {
+    const MotionCovariance& motion = track.motions[k].covariance;
+    if (motion.departure_sigma_m == 0.0 && motion.departure_sigma_rad == 0.0) continue;
+    departures.push_back({k, motion.departure_sigma_m, motion.departure_sigma_rad});
+  }
+  return departures;
+}
+
+/// False where one is of a keyframe that the track does not have.
+bool add_departures(const std::vector<Departure>& departures, MapTrack& track) {
+  for (const auto& [keyframe, sigma_m, sigma_rad] : departures) {
+    if (keyframe >= track.motions.size()) return false;
+    MotionCovariance& motion = track.motions[keyframe].covariance;
+    motion.departure_sigma_m = sigma_m;
+    motion.departure_sigma_rad = sigma_rad;
+  }
+  return true;
+}
+
+/// Sections that a map may do without: it cannot be gone on with then, or there is nothing to tell.
+constexpr std::array<std::string_view, 4> kOptional{"SESS", "DEPA", "FORG", "GAPS"};
 /// Sections that programs which do not know them may leave out.
-constexpr std::array<std::string_view, 2> kForgotten{"FORG", "GAPS"};
+constexpr std::array<std::string_view, 3> kSkippable{"DEPA", "FORG", "GAPS"};
 
 /// The sections in their order, and what is in each; the kept scans stand in their table.
-template <typename SomeMap, typename SomeRecord, typename SomeTable, typename Visit>
-void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const Visit& visit) {
+template <typename SomeMap, typename SomeRecord, typename SomeTables, typename Visit>
+void for_each_section(SomeMap& map, SomeRecord& record, SomeTables& tables, const Visit& visit) {
   auto& [scans,
          keyframes,
          headings,
@@ -115,9 +157,10 @@ void for_each_section(SomeMap& map, SomeRecord& record, SomeTable& table, const 
   visit("SENS", scanners, gyro, odometry, sweep, num_with_odometry);
   visit("AUDI", audit, doubts);
   // Written where there is something to tell: other maps are as before.
+  if (!std::is_const_v<SomeMap> || !tables.departures.empty()) visit("DEPA", tables.departures);
   if (!std::is_const_v<SomeMap> || num_forgotten > 0) visit("FORG", num_forgotten);
   if (!std::is_const_v<SomeMap> || !forgotten_poses.empty()) visit("GAPS", forgotten_poses);
-  visit("SCAN", table.scans, table.kept);
+  visit("SCAN", tables.kept.scans, tables.kept.kept);
 }
 
 /// The sections of a file, each to be taken once.
@@ -178,15 +221,15 @@ std::string map_file_at(const std::string& path) {
 }
 
 std::string map_file_bytes(const Map& map, const MapRecord& record) {
-  const KeptTable table = table_of(map.kept_scans);
+  const Tables tables{table_of(map.kept_scans), departures_of(map.track)};
   std::size_t num_sections = 0;
   for_each_section(
-      map, record, table, [&](const char* /*id*/, const auto&... /*fields*/) { ++num_sections; });
+      map, record, tables, [&](const char* /*id*/, const auto&... /*fields*/) { ++num_sections; });
   map_file::SectionsWriter file(num_sections);
-  for_each_section(map, record, table, [&](const char* id, const auto&... fields) {
+  for_each_section(map, record, tables, [&](const char* id, const auto&... fields) {
     FieldWriter writer;
     writer(fields...);
-    const bool is_required = std::ranges::find(kForgotten, id) == kForgotten.end();
+    const bool is_required = std::ranges::find(kSkippable, id) == kSkippable.end();
     file.add({id, is_required, writer.take()});
   });
   return file.take();
@@ -199,18 +242,21 @@ void save_map_file(const Map& map, const std::string& path, const MapRecord& rec
 SavedMap map_from_bytes(std::string_view bytes, const std::string& name) {
   UnreadSections sections(map_file::sections_from_bytes(bytes, name), name);
   SavedMap saved;
-  KeptTable table;
+  Tables tables;
   std::vector<std::string> known;
-  for_each_section(saved.map, saved.record, table, [&](const char* id, auto&... fields) {
+  for_each_section(saved.map, saved.record, tables, [&](const char* id, auto&... fields) {
     known.emplace_back(id);
     if (std::ranges::find(kOptional, id) != kOptional.end() && !sections.holds(id)) return;
     sections.read(id, fields...);
   });
   sections.require_none_left(
       [&](const std::string& id) { return std::ranges::find(known, id) != known.end(); });
-  auto kept_scans = kept_scans_of(table);
+  auto kept_scans = kept_scans_of(tables.kept);
   if (!kept_scans) sections.fail("section SCAN names a scan that it does not hold");
   saved.map.kept_scans = std::move(*kept_scans);
+  if (!add_departures(tables.departures, saved.map.track)) {
+    sections.fail("section DEPA names a keyframe that the track does not have");
+  }
   try {
     validate(saved.map);
   } catch (const ParameterError& error) {
