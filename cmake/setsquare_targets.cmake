@@ -81,7 +81,7 @@ function(setsquare_set_temperature target temperature)
     add_library(${headers} OBJECT "${source}")
     target_precompile_headers(${headers} PRIVATE ${setsquare_large_headers})
     if(temperature STREQUAL cold)
-      target_precompile_headers(${headers} PRIVATE <fmt/format.h>)
+      target_precompile_headers(${headers} PRIVATE <fmt/core.h>)
     endif()
     target_link_libraries(${headers} PRIVATE ${libraries})
     setsquare_set_optimisation(${headers} ${temperature})
@@ -117,16 +117,19 @@ function(setsquare_set_unity target)
                                              UNITY_BUILD_BATCH_SIZE 40)
 endfunction()
 
-# setsquare_add_layer(NAME [NOT_INSTALLED] [COLD] [HEADERS a.hpp ...] [SOURCES a.cpp ...] DEPENDS core ...
-#                     [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# setsquare_add_layer(NAME [NOT_INSTALLED] [COLD [HOT a.cpp ...]] [HEADERS a.hpp ...] [SOURCES a.cpp ...]
+#                     DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 # One library per layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
 # which are made by the build. HEADERS, below the folder, are the public ones: they alone are
 # installed; NOT_INSTALLED: a part of our programs alone. DEPENDS names the layers that it may include.
+# HOT names the few sources of a cold layer where a profile finds the time.
 function(setsquare_add_layer name)
-  cmake_parse_arguments(arg "NOT_INSTALLED;COLD" "" "HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES"
-                        ${ARGN})
+  cmake_parse_arguments(arg "NOT_INSTALLED;COLD" ""
+                        "HOT;HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
        "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
+  list(TRANSFORM arg_HOT PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${name}/")
+  list(REMOVE_ITEM sources ${arg_HOT})
   add_library(setsquare_${name} STATIC ${sources} ${arg_SOURCES})
   add_library(setsquare::${name} ALIAS setsquare_${name})
   set_target_properties(setsquare_${name} PROPERTIES EXPORT_NAME ${name})
@@ -140,6 +143,14 @@ function(setsquare_add_layer name)
     PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
     PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
   setsquare_set_unity(setsquare_${name})
+  if(arg_HOT)
+    # Options are a target's, not a source's, where many sources are compiled at once.
+    add_library(setsquare_${name}_hot OBJECT ${arg_HOT})
+    target_link_libraries(setsquare_${name}_hot PRIVATE ${arg_DEPENDS} ${arg_PRIVATE_LIBRARIES} setsquare_own_flags)
+    setsquare_set_unity(setsquare_${name}_hot)
+    setsquare_set_temperature(setsquare_${name}_hot hot)
+    target_sources(setsquare_${name} PRIVATE $<TARGET_OBJECTS:setsquare_${name}_hot>)
+  endif()
   if(arg_COLD)
     setsquare_set_temperature(setsquare_${name} cold)
   else()

@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "experiments/paper_experiment.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <chrono>
 
 #include "experiments/goals.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::experiments {
 namespace {
@@ -17,8 +18,8 @@ void check_sections(const std::vector<std::string>& sections) {
   const std::vector<std::string>& known = paper_section_names();
   for (const std::string& name : sections) {
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    throw ParameterError(
-        "only", fmt::format("no section \"{}\"; there are {}", name, fmt::join(known, ", ")));
+    throw ParameterError("only",
+                         fmt::format("no section \"{}\"; there are {}", name, joined(known)));
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare live`: maps while the robot drives.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <CLI/App.hpp>
@@ -24,6 +24,7 @@
 #include "apps/setsquare/scans/log_options.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::live_app {
 namespace {
@@ -98,8 +99,7 @@ void apply_params_file(CLI::App& live, const std::string& path) {
     option->run_callback();
   }
   if (unknown.empty()) return;
-  std::cerr << fmt::format(
-      "{}: parameters without a meaning here: {}\n", path, fmt::join(unknown, ", "));
+  std::cerr << fmt::format("{}: parameters without a meaning here: {}\n", path, joined(unknown));
 }
 
 void add_ros2_options(CLI::App& live, const std::shared_ptr<LiveOptions>& options) {

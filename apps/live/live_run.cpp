@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/live/live_run.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <filesystem>
 #include <iostream>
@@ -19,6 +19,7 @@
 #include "apps/setsquare/scans/log_options.hpp"
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 #include "setsquare/core/save_file.hpp"
 #include "setsquare/io/logs/bag/live_log.hpp"
 #include "setsquare/io/logs/open_log.hpp"
@@ -81,7 +82,7 @@ void LiveRun::open_replayed_log() {
 void LiveRun::open_network() {
   for (std::string& topic : options_.ros2.scan_topics) make_absolute(topic);
   make_absolute(options_.ros2.odometry_topic);
-  options_.mapping.log.sensor = fmt::format("{}", fmt::join(options_.ros2.scan_topics, ","));
+  options_.mapping.log.sensor = joined(options_.ros2.scan_topics, ",");
   name_ = options_.is_ros2 ? "ROS 2" : options_.bridge;
   auto queue = std::make_unique<MessageQueue>(options_.is_ros2 ? "ROS 2" : "Foxglove WebSocket");
   queue_ = queue.get();
@@ -287,7 +288,7 @@ void LiveRun::refuse_known_map(const std::filesystem::path& folder) const {
 std::string LiveRun::save(const MappedLog& mapped, const std::filesystem::path& folder) const {
   refuse_known_map(folder);
   const std::vector<std::string> names = save_map(mapped.map, folder, save_options_of(mapped));
-  return fmt::format("written: {}/{}", folder.string(), fmt::join(names, ", "));
+  return fmt::format("written: {}/{}", folder.string(), joined(names));
 }
 
 std::string LiveRun::save(const LocalizedLog& log, const std::filesystem::path& folder) const {
@@ -303,7 +304,7 @@ std::string LiveRun::save(const LocalizedLog& log, const std::filesystem::path& 
     names.push_back(file);
   }
   save_files(files);
-  return fmt::format("written: {}/{}", folder.string(), fmt::join(names, ", "));
+  return fmt::format("written: {}/{}", folder.string(), joined(names));
 }
 
 std::string LiveRun::save_now(const std::string& name) {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare replay`: a log as a robot would publish it.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <CLI/App.hpp>

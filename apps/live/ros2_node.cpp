@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/live/ros2_node.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <cstring>
@@ -10,6 +10,7 @@
 
 #include "apps/live/said_poses.hpp"
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 #include "setsquare/io/logs/bag/scan_messages.hpp"
 #include "setsquare/io/ros/message_encoder.hpp"
 
@@ -313,7 +314,7 @@ ros::DiagnosticArray Ros2Node::diagnostics(const LiveSession& session) {
   report.values.emplace_back("messages refused", std::to_string(participant_->num_refused()));
   ros::DiagnosticStatus status;
   status.name = "setsquare: " + report.task;
-  status.message = warnings.empty() ? report.doing : fmt::format("{}", fmt::join(warnings, "; "));
+  status.message = warnings.empty() ? report.doing : joined(warnings, "; ");
   if (!warnings.empty()) status.level = ros::DiagnosticStatus::Level::kWarning;
   status.values = std::move(report.values);
   return {.stamp = world_time(), .statuses = {status}};

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // OccupancyGrid as arrays.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <cmath>
 

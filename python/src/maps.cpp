@@ -3,7 +3,7 @@
 // Map: what it knows as arrays, what it doubts, and its files.
 #include "python/src/maps.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // Pose2 and Trajectory.
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pybind11/operators.h>
 #include <pybind11/stl.h>
 

@@ -3,7 +3,7 @@
 // Scan: ranges in, arrays out.
 #include "python/src/scans.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <pybind11/stl.h>
 
 #include <limits>

@@ -86,11 +86,13 @@ void PoseEquations::add(const PoseGraph& graph, std::size_t k) {
   if (constraint.to == 0) J_to.leftCols(num_held).setZero();
   const Eigen::Matrix3d Omega = constraint.weight * constraint.information;
   const Eigen::Vector3d r = residual(graph, constraint);
-  equations_.add_diagonal(constraint.from, J_from.transpose() * Omega * J_from);
-  equations_.add_diagonal(constraint.to, J_to.transpose() * Omega * J_to);
-  equations_.add_pair(k, J_from.transpose() * Omega * J_to);
-  equations_.add_to_b(constraint.from, -J_from.transpose() * Omega * r);
-  equations_.add_to_b(constraint.to, -J_to.transpose() * Omega * r);
+  const Eigen::Matrix3d from_Omega = J_from.transpose() * Omega;
+  const Eigen::Matrix3d to_Omega = J_to.transpose() * Omega;
+  equations_.add_diagonal(constraint.from, from_Omega * J_from);
+  equations_.add_diagonal(constraint.to, to_Omega * J_to);
+  equations_.add_pair(k, from_Omega * J_to);
+  equations_.add_to_b(constraint.from, -(from_Omega * r));
+  equations_.add_to_b(constraint.to, -(to_Omega * r));
 }
 
 void PoseEquations::linearize(const PoseGraph& graph) {

@@ -124,14 +124,18 @@ HeadingVariances HeadingEquations::variances() const {
   HeadingVariances variances{schur.chain.inverse_diagonal(), {}};
   const auto num_offsets = static_cast<Eigen::Index>(border_.size());
   if (num_offsets == 0) return variances;
-  const Eigen::MatrixXd inverse =
-      schur.offsets.solve(Eigen::MatrixXd::Identity(num_offsets, num_offsets));
-  variances.offset_rad2 = inverse.diagonal();
+  // A column at a time: the solution for a whole matrix costs the build many seconds.
+  variances.offset_rad2.resize(num_offsets);
   Eigen::VectorXd row(num_offsets);
+  for (Eigen::Index f = 0; f < num_offsets; ++f) {
+    row.setZero();
+    row(f) = 1.0;
+    variances.offset_rad2(f) = schur.offsets.solve(row).eval()(f);
+  }
   for (std::size_t k = 0; k < variances.drift_rad2.size(); ++k) {
     for (Eigen::Index f = 0; f < num_offsets; ++f)
       row(f) = schur.columns[static_cast<std::size_t>(f)][k];
-    variances.drift_rad2[k] += row.dot(inverse * row);
+    variances.drift_rad2[k] += row.dot(schur.offsets.solve(row).eval());
   }
   return variances;
 }

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <functional>
 #include <limits>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/damped_step.hpp"
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/sample_comparison.hpp"
@@ -62,9 +62,8 @@ Pose2 moved_onto_views(std::span<const PlacedImage> images,
   for (const double gate_m : {0.3, 0.2, 0.15, 0.15}) {
     const AlignmentScale scale{.gate_m = gate_m, .scale_m = gate_m / kGatesPerScale};
     const SubmapAlignment found = align_with_submap(images, samples, T, scale, marks);
-    Eigen::Matrix3d hessian = found.hessian;
-    hessian.diagonal().array() += 1e-3 + 0.02 * hessian.diagonal().array();
-    const Eigen::Vector3d step = hessian.ldlt().solve(-found.gradient);
+    const Eigen::Vector3d damping = 1e-3 + 0.02 * found.hessian.diagonal().array();
+    const Eigen::Vector3d step = damped_step<3>({found.hessian, found.gradient}, damping);
     T = {T.x_m + std::clamp(step.x(), -kMaxStep_m, kMaxStep_m),
          T.y_m + std::clamp(step.y(), -kMaxStep_m, kMaxStep_m),
          wrap_to_pi(T.theta_rad + std::clamp(step.z(), -kMaxTurn_rad, kMaxTurn_rad))};

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <Eigen/Cholesky>
 #include <limits>
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/damped_step.hpp"
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/keep_best.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
@@ -73,11 +73,12 @@ Pose2 stepped(const WallDistance& walls,
     y_sum += weight * slope.along_y * slope.distance_m;
     t_sum += weight * lever * slope.distance_m;
   }
-  Eigen::Matrix3d hessian;
-  hessian << xx, xy, xt, xy, yy, yt, xt, yt, tt;
+  NormalEquations<3> equations;
+  equations.hessian << xx, xy, xt, xy, yy, yt, xt, yt, tt;
+  equations.gradient << x_sum, y_sum, t_sum;
   // Where the walls leave a direction open the pose stays put along it.
-  hessian.diagonal().array() += 1e-3 + 0.02 * hessian.diagonal().array();
-  const Eigen::Vector3d step = hessian.ldlt().solve(Eigen::Vector3d(-x_sum, -y_sum, -t_sum));
+  const Eigen::Vector3d damping = 1e-3 + 0.02 * equations.hessian.diagonal().array();
+  const Eigen::Vector3d step = damped_step<3>(equations, damping);
   constexpr double kMaxStep_m = 0.3;
   constexpr double kMaxTurn_rad = 0.1;
   return {T.x_m + std::clamp(step.x(), -kMaxStep_m, kMaxStep_m),

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/audit/verdict_text.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "setsquare/map/map_verdict.hpp"
 

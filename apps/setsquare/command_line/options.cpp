@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/command_line/options.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,6 +10,8 @@
 #include <cmath>
 #include <optional>
 #include <system_error>
+
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -77,13 +79,11 @@ CLI::Validator one_of(std::vector<std::string> names) {
               text = name;
               return std::string();
             }
-            return fmt::format("'{}' is none of {}", text, fmt::join(names, ", "));
+            return fmt::format("'{}' is none of {}", text, joined(names));
           },
           ""};
 }
 
-std::string bars_between(const std::vector<std::string>& names) {
-  return fmt::format("{}", fmt::join(names, "|"));
-}
+std::string bars_between(const std::vector<std::string>& names) { return joined(names, "|"); }
 
 }  // namespace setsquare::app

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare evaluate closures` and `evaluate chains`: which loop closures are wrong, and whether
 // the chains of relations that say so are reliable.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <CLI/Option.hpp>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/evaluate/results.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/Option.hpp>
 #include <iterator>
@@ -11,6 +11,7 @@
 #include "apps/setsquare/command_line/options.hpp"
 #include "apps/setsquare/outputs/output_set.hpp"
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -59,7 +60,7 @@ void write_results(const ResultOptions& options,
   for (const auto& [name, bytes] : files) outputs.add(name, bytes);
   outputs.commit();
   if (told != nullptr) {
-    *told << fmt::format("written: {}/{}\n", options.directory, fmt::join(names, ", "));
+    *told << fmt::format("written: {}/{}\n", options.directory, joined(names));
   }
 }
 

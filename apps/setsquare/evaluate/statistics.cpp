@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/evaluate/statistics.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/Option.hpp>
 

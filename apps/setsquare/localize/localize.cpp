@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare localize MAP LOG -o DIR`: where the robot was in a map, scan by scan.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <chrono>
 #include <CLI/App.hpp>
@@ -19,6 +19,7 @@
 #include "apps/setsquare/scans/log_options.hpp"
 #include "apps/setsquare/subcommands.hpp"
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/joined.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 #include "setsquare/pipeline/localize_log.hpp"
 
@@ -90,8 +91,7 @@ void localize(LocalizeOptions options) {
   const double total_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   tell_localised(log, total_s);
-  std::cout << fmt::format(
-      "written: {}/{}\n", options.output_path, fmt::join(outputs.added(), ", "));
+  std::cout << fmt::format("written: {}/{}\n", options.output_path, joined(outputs.added()));
   tell_problems(log.name, log.problems);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Setsquare authors
 // SPDX-License-Identifier: Apache-2.0
 // `setsquare map LOG -o DIR`: the map of a building, and every scan's pose.
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <CLI/App.hpp>

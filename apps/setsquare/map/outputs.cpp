@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/map/outputs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
+#include "setsquare/core/joined.hpp"
 #include "setsquare/report/map/save_map.hpp"
 
 namespace setsquare::app {
@@ -41,7 +42,7 @@ void write_map_outputs(OutputSet& outputs,
 }
 
 std::string written_text(const std::string& folder, const OutputSet& outputs) {
-  return fmt::format("written: {}/{}\n", folder, fmt::join(outputs.added(), ", "));
+  return fmt::format("written: {}/{}\n", folder, joined(outputs.added()));
 }
 
 }  // namespace setsquare::app

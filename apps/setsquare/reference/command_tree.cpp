@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/reference/command_tree.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <CLI/Option.hpp>
 #include <sstream>
+
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -59,7 +61,7 @@ void append(const Command& command, std::vector<const Command*>& all) {
 }  // namespace
 
 std::string Command::joined_path(const std::string& separator) const {
-  return fmt::format("{}", fmt::join(path, separator));
+  return joined(path, separator);
 }
 
 Command command_tree(CLI::App& application) { return command_from(application, {}); }

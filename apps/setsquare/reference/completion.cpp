@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "apps/setsquare/reference/completion.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
+
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare::app {
 namespace {
@@ -23,7 +25,7 @@ std::string option_words(const Command& command) {
   for (const CommandOption& option : command.options) {
     words.insert(words.end(), option.names.begin(), option.names.end());
   }
-  return fmt::format("{}", fmt::join(words, " "));
+  return joined(words, " ");
 }
 
 /// What may stand where no option does: subcommands, or the choices of the first argument.
@@ -31,7 +33,7 @@ std::string argument_words(const Command& command) {
   std::vector<std::string> words;
   for (const Command& subcommand : command.subcommands) words.push_back(subcommand.name());
   if (words.empty() && !command.positionals.empty()) words = command.positionals.front().choices;
-  return fmt::format("{}", fmt::join(words, " "));
+  return joined(words, " ");
 }
 
 /// The lines of bash's case: what may follow an option, and what may stand anywhere.
@@ -48,7 +50,7 @@ std::string bash_cases(const Command& command) {
                          "return ;;\n",
                          path,
                          name,
-                         fmt::join(option.choices, " "));
+                         joined(option.choices, " "));
     }
   }
   return cases;
@@ -70,7 +72,7 @@ std::string zsh_function(const Command& command) {
     const std::string value = !option.takes_value() ? ""
                               : option.choices.empty()
                                   ? ":" + zsh_description(option.value) + ":_files"
-                                  : fmt::format(":value:({})", fmt::join(option.choices, " "));
+                                  : fmt::format(":value:({})", joined(option.choices, " "));
     for (const std::string& name : option.names) {
       lines += " \\\n    " + in_single_quotes("*" + name + "[" +
                                               zsh_description(option.description) + "]" + value);
@@ -124,7 +126,7 @@ std::string fish_lines(const Command& command) {
     const std::string value = !option.takes_value() ? ""
                               : option.choices.empty()
                                   ? "-r "
-                                  : fmt::format("-x -a '{}' ", fmt::join(option.choices, " "));
+                                  : fmt::format("-x -a '{}' ", joined(option.choices, " "));
     lines += start + names + value + "-d " + in_single_quotes(option.description) + "\n";
   }
   return lines;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/bags/recording_files.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <map>
@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 #include "setsquare/io/bytes/byte_source.hpp"
 #include "setsquare/io/bytes/input_buffer.hpp"
 
@@ -28,10 +29,10 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, error);
 }
 
-std::string joined(std::vector<std::string> names) {
+std::string enumerated(std::vector<std::string> names) {
   const bool are_all_named = names.size() <= kMaxNamed;
   if (!are_all_named) names.resize(kMaxNamed);
-  return fmt::format("{}{}", fmt::join(names, ", "), are_all_named ? "" : " ...");
+  return joined(names) + (are_all_named ? "" : " ...");
 }
 
 /// "run_12.db3.zstd" in its parts.
@@ -129,7 +130,8 @@ void take_named_files(const fs::path& folder, const fs::path& metadata, Recordin
       "",
       inner.empty()
           ? std::string("a folder without a recording: no metadata.yaml, .db3 or .mcap in it")
-          : fmt::format("a folder of recordings; name one of them: {}", joined(std::move(inner))));
+          : fmt::format("a folder of recordings; name one of them: {}",
+                        enumerated(std::move(inner))));
 }
 
 void require_one_recording(const fs::path& folder, const std::vector<fs::path>& files) {
@@ -144,12 +146,12 @@ void require_one_recording(const fs::path& folder, const std::vector<fs::path>& 
                     "",
                     fmt::format("files of several recordings, and no metadata.yaml; name one of "
                                 "them: {}",
-                                joined(std::move(names))));
+                                enumerated(std::move(names))));
 }
 
 /// Takes all files of the folder, for want of a metadata.yaml that names them.
 void take_all_files(const fs::path& folder, RecordingFiles& recording) {
-  const std::string missing = joined(std::exchange(recording.missing, {}));
+  const std::string missing = enumerated(std::exchange(recording.missing, {}));
   recording.files = files_in(folder);
   if (recording.files.empty() && missing.empty()) complain_of_no_recording(folder);
   if (recording.files.empty()) {
@@ -173,8 +175,8 @@ void remark_on_unnamed_files(const fs::path& folder, RecordingFiles& recording) 
     unnamed.push_back(file.filename().string());
   }
   if (unnamed.empty()) return;
-  recording.remarks.push_back(
-      fmt::format("metadata.yaml does not name {}, which is not read", joined(std::move(unnamed))));
+  recording.remarks.push_back(fmt::format("metadata.yaml does not name {}, which is not read",
+                                          enumerated(std::move(unnamed))));
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/bags/recording_metadata.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <yaml-cpp/yaml.h>
 
 #include <charconv>
@@ -59,7 +59,7 @@ RecordingMetadata metadata_from(const YAML::Node& root) {
   for_each_entry(root, "topics_with_message_count", [&](const YAML::Node& entry) {
     const std::optional<std::uint64_t> num_messages = count_of(entry, "message_count");
     if (!num_messages) return;
-    const YAML::Node topic = entry["topic_metadata"];
+    const YAML::Node topic = entry[static_cast<const char*>("topic_metadata")];
     if (!topic) return;
     metadata.topics.push_back(
         {text_of(topic, "name"), plain_type_name(text_of(topic, "type")), *num_messages});

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/bags/rosbag2_sqlite.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare {
 namespace {
@@ -80,12 +81,11 @@ void Rosbag2Sqlite::require_tables() {
   const std::vector<std::string> tables = database_.tables();
   for (const Needed& needed : all_needed) {
     if (!has(tables, needed.table)) {
-      throw FormatError(
-          name,
-          "",
-          fmt::format("an SQLite file, but no ROS 2 bag: it has no table {}, but {}",
-                      needed.table,
-                      tables.empty() ? "none at all" : fmt::format("{}", fmt::join(tables, ", "))));
+      throw FormatError(name,
+                        "",
+                        fmt::format("an SQLite file, but no ROS 2 bag: it has no table {}, but {}",
+                                    needed.table,
+                                    tables.empty() ? "none at all" : joined(tables)));
     }
     const std::vector<std::string> columns = database_.columns(needed.table);
     for (const std::string& column : needed.columns) {

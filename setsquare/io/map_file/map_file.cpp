@@ -4,7 +4,7 @@
 // formats the sections that they had; the files in tests/io/map_files say whether they are read.
 #include "setsquare/io/map_file/map_file.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>

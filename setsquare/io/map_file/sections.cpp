@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/map_file/sections.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cassert>

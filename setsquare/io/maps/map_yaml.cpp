@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/maps/map_yaml.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -35,8 +36,10 @@ class MapYamlReader {
     const std::string line = mark.is_null() ? "" : fmt::format("line {}", mark.line + 1);
     throw FormatError(name_, line, reason);
   }
+  /// Of a key that has lost its length: yaml-cpp is compiled again for each length.
+  [[nodiscard]] YAML::Node entry(const char* key) const { return root_[key]; }
   [[nodiscard]] YAML::Node required(const char* key) const {
-    const YAML::Node node = root_[key];
+    const YAML::Node node = entry(key);
     if (!node) complain(YAML::Mark::null_mark(), fmt::format("{} is missing", key));
     return node;
   }
@@ -62,13 +65,15 @@ void MapYamlReader::read_origin(MapYaml& map) const {
   if (!origin.IsSequence() || origin.size() != 3) {
     complain(origin.Mark(), "origin must be [x, y, yaw]");
   }
-  map.T_map_grid = {
-      number(origin[0], "origin"), number(origin[1], "origin"), number(origin[2], "origin")};
+  std::array<double, 3> numbers{};
+  std::size_t k = 0;
+  for (const YAML::Node& node : origin) numbers[k++] = number(node, "origin");
+  map.T_map_grid = {numbers[0], numbers[1], numbers[2]};
 }
 
 void MapYamlReader::read_thresholds(MapYaml& map) const {
-  const YAML::Node occupied = root_["occupied_thresh"];
-  const YAML::Node free = root_["free_thresh"];
+  const YAML::Node occupied = entry("occupied_thresh");
+  const YAML::Node free = entry("free_thresh");
   if (occupied) map.occupied_threshold = number(occupied, "occupied_thresh");
   if (free) map.free_threshold = number(free, "free_thresh");
   if (map.free_threshold < 0.0 || map.occupied_threshold > 1.0 ||
@@ -79,7 +84,7 @@ void MapYamlReader::read_thresholds(MapYaml& map) const {
 }
 
 void MapYamlReader::read_negate(MapYaml& map) const {
-  const YAML::Node negate = root_["negate"];
+  const YAML::Node negate = entry("negate");
   if (!negate) return;
   const std::string_view word = negate.IsScalar() ? std::string_view(negate.Scalar()) : "";
   map.is_negated = word == "1" || word == "true";
@@ -89,7 +94,7 @@ void MapYamlReader::read_negate(MapYaml& map) const {
 }
 
 void MapYamlReader::read_mode(MapYaml& map) const {
-  const YAML::Node mode = root_["mode"];
+  const YAML::Node mode = entry("mode");
   if (!mode) return;
   const std::string_view word = mode.IsScalar() ? std::string_view(mode.Scalar()) : "";
   if (word == "trinary") {

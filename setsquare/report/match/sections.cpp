@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/report/match/sections.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include "setsquare/drawing/text.hpp"
 #include "setsquare/surfaces/correlation_grid.hpp"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/bags/sqlite/database.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <sqlite3.h>
 
 #include <algorithm>

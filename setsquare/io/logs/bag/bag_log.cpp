@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/bag/bag_log.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
 #include <utility>
 
+#include "setsquare/core/joined.hpp"
 #include "setsquare/io/logs/bag/topic_role.hpp"
 #include "setsquare/io/ros/echo_choice.hpp"
 
@@ -411,7 +412,7 @@ void BagLog::remark_at_end() {
   if (!odometry_.others().empty() && options_.odometry_topic.empty()) {
     remark_once(fmt::format("odometry is taken from {}, not from {} (--odometry-topic chooses)",
                             odometry_.chosen(),
-                            fmt::join(odometry_.others(), ", ")));
+                            joined(odometry_.others())));
   }
   for (const LogProblem& problem : source_->problems().first) {
     problems().add(problem.location, problem.reason);

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/bag/message_trust.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <utility>
+
+#include "setsquare/core/joined.hpp"
 
 namespace setsquare {
 
@@ -45,7 +47,7 @@ std::vector<std::string> MessageTrust::remarks() const {
       num += count;
       parts.push_back(fmt::format("{} ({})", reason, count));
     }
-    sentences.push_back(fmt::format("{}: {} left out: {}", topic, num, fmt::join(parts, ", ")));
+    sentences.push_back(fmt::format("{}: {} left out: {}", topic, num, joined(parts)));
   }
   return sentences;
 }

@@ -9,6 +9,8 @@
 namespace setsquare {
 namespace {
 
+using Json = nlohmann::ordered_json;  // One kind in the layer: each is compiled anew.
+
 FindingKind kind_from(const std::string& name) {
   for (int i = 0; i <= static_cast<int>(FindingKind::kDamagedRecords); ++i) {
     if (name == to_string(static_cast<FindingKind>(i))) return static_cast<FindingKind>(i);
@@ -19,7 +21,6 @@ FindingKind kind_from(const std::string& name) {
 }  // namespace
 
 std::string findings_json(const std::vector<LogFinding>& findings) {
-  using Json = nlohmann::ordered_json;
   Json array = Json::array();
   for (const LogFinding& finding : findings) {
     array.push_back(
@@ -34,9 +35,9 @@ std::string findings_json(const std::vector<LogFinding>& findings) {
 
 std::vector<LogFinding> findings_from_json(const std::string& json) {
   std::vector<LogFinding> findings;
-  const auto array = nlohmann::json::parse(json, nullptr, false);
+  const auto array = Json::parse(json, nullptr, false);
   if (!array.is_array()) return findings;
-  const auto text_at = [](const nlohmann::json& object, const char* key) {
+  const auto text_at = [](const Json& object, const char* key) {
     const auto found = object.find(key);
     return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
   };

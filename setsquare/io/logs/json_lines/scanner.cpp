@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/io/logs/json_lines/scanner.hpp"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <limits>
@@ -38,8 +38,8 @@ std::optional<std::string> unescaped(std::string_view text) {
     while (length < text.size() && text[length] == '\\') {
       length += escape_length(text.substr(length));
     }
-    const auto value =
-        nlohmann::json::parse(fmt::format("\"{}\"", text.substr(0, length)), nullptr, false);
+    const auto value = nlohmann::ordered_json::parse(
+        fmt::format("\"{}\"", text.substr(0, length)), nullptr, false);
     if (!value.is_string()) return std::nullopt;
     plain += value.get<std::string>();
     text.remove_prefix(std::min(length, text.size()));
