@@ -205,10 +205,7 @@ void print_examples(const KnownPlace& place) {
   std::printf("scan\n");
   const SoughtScan sought = sought_scan(place.scan);
   const std::vector<VerifiedPlace> places = search_places(place.map, sought);
-  std::vector<SeenByViews> seen;
-  for (const VerifiedPlace& found : places) {
-    seen.push_back(seen_by_views(place.map.views(), sought.prepared, found.T_grid_sensor));
-  }
+  const std::vector<SeenByViews> seen = seen_by_views(place.map.views(), sought.prepared, places);
   const ViewSharpness sharpness = view_sharpness(seen);
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Pose2 T_map_sensor = place.map.T_map_grid() * places[i].T_grid_sensor;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
+
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/localisation/wall_distance.hpp"
 #include "setsquare/scan/scan.hpp"
@@ -11,9 +13,13 @@ namespace setsquare {
 /// How far a ray from a place in the grid's frame goes until it meets a wall, in m: the point of
 /// the ray that is nearest to the middle of the wall's cell. Infinite where it meets none within
 /// `max_range_m`, NaN where it runs through space that the grid does not know. A place in such
-/// space is free about itself, as far as a metre: a robot stands there.
-[[nodiscard]] double range_to_wall(
-    const WallDistance& walls, double x_m, double y_m, double bearing_rad, double max_range_m);
+/// space is free about itself, as far as a metre: a robot stands there. `direction`: of the ray, of
+/// length 1.
+[[nodiscard]] double range_to_wall(const WallDistance& walls,
+                                   double x_m,
+                                   double y_m,
+                                   const Eigen::Vector2d& direction,
+                                   double max_range_m);
 
 /// The beams of a scanner, not what they measured.
 struct BeamLayout {

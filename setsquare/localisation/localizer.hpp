@@ -38,7 +38,8 @@ struct LocalisedPose {
 /// 1. Track: each scan is placed against the last ones (ScanTracker), so that all hypotheses move
 ///    alike and for nothing.
 /// 2. While no place is certain, the whole map is searched (search_places), again after each bit of
-///    way; every scan weighs the hypotheses anew.
+///    way, and places are compared with what the map's own scans saw (KnownMap::views); every scan
+///    weighs the hypotheses anew.
 /// 3. Once one is certain, scans are laid onto the map there; it is searched again only where they
 ///    contradict the map for long (the robot was carried, or was never there).
 /// Scans come in the order of time, from one scanner. Not for several threads at once; several

@@ -33,17 +33,6 @@ std::vector<double> log_odds_by_grid(std::span<const VerifiedPlace> found) {
   return log_odds;
 }
 
-/// The same by the scans of the map, too.
-std::vector<double> log_odds_by_all(const KnownMap& map,
-                                    const SoughtScan& sought,
-                                    std::span<const VerifiedPlace> found) {
-  std::vector<SeenByViews> seen;
-  for (const VerifiedPlace& place : found) {
-    seen.push_back(seen_by_views(map.views(), sought.prepared, place.T_grid_sensor));
-  }
-  return log_odds_by_views(found, seen);
-}
-
 LocatedScan located_by(const KnownMap& map,
                        std::span<const VerifiedPlace> found,
                        std::span<const double> log_odds,
@@ -82,7 +71,8 @@ LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const Localisatio
   if (map.views().empty()) {
     return located_by(map, wider, log_odds_by_grid(wider), at_once, params);
   }
-  const std::vector<double> log_odds = log_odds_by_all(map, sought, wider);
+  const std::vector<double> log_odds =
+      log_odds_by_views(wider, seen_by_views(map.views(), sought.prepared, wider));
   return located_by(map, wider, log_odds, params.min_probability_by_views, params);
 }
 

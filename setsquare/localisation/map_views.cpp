@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/damped_step.hpp"
@@ -17,13 +18,36 @@
 namespace setsquare {
 namespace {
 
-constexpr double kReach_m = 8.0;  ///< Views from farther away tell little of a place.
+constexpr double kReach_m = 8.0;       ///< Views from farther away tell little of a place.
+constexpr std::size_t kMostNear = 80;  ///< Of them these are looked at: a bound on the time.
 constexpr std::size_t kMostViews = 12;
 constexpr std::size_t kMostAgreeing = 4;  ///< Whose walls are looked for in the scan.
 constexpr float kTight_m = 0.04F;
 constexpr float kLoose_m = 0.15F;
 
-/// The views that agree most with the scan there, the best first.
+/// The views nearest to a place, in their order.
+std::vector<const MapView*> views_near(std::span<const MapView> views, const Pose2& T_grid_sensor) {
+  struct View {
+    const MapView* view;
+    double distance_m;
+  };
+  std::vector<View> near;
+  for (const MapView& view : views) {
+    const double distance_m =
+        (view.T_grid_sensor.translation() - T_grid_sensor.translation()).norm();
+    if (distance_m <= kReach_m) near.push_back({&view, distance_m});
+  }
+  if (near.size() > kMostNear) {
+    std::ranges::stable_sort(near, std::ranges::less{}, &View::distance_m);
+    near.resize(kMostNear);
+    std::ranges::sort(near, std::ranges::less{}, &View::view);
+  }
+  std::vector<const MapView*> nearest;
+  for (const View& view : near) nearest.push_back(view.view);
+  return nearest;
+}
+
+/// Of these the views that agree most with the scan there, the best first.
 std::vector<const MapView*> views_about(std::span<const MapView> views,
                                         const PreparedScan& scan,
                                         const Pose2& T_grid_sensor) {
@@ -33,13 +57,11 @@ std::vector<const MapView*> views_about(std::span<const MapView> views,
     double agreeing_m;
   };
   std::vector<View> near;
-  for (const MapView& view : views) {
-    if ((view.T_grid_sensor.translation() - T_grid_sensor.translation()).norm() > kReach_m)
-      continue;
-    const Pose2 T_view_scan = view.T_grid_sensor.inverse() * T_grid_sensor;
+  for (const MapView* view : views_near(views, T_grid_sensor)) {
+    const Pose2 T_view_scan = view->T_grid_sensor.inverse() * T_grid_sensor;
     near.push_back(
-        {&view,
-         align_one_way(view.image, scan.coarse, T_view_scan, kTolerance_m).evidence.agreeing_m});
+        {view,
+         align_one_way(view->image, scan.coarse, T_view_scan, kTolerance_m).evidence.agreeing_m});
   }
   std::ranges::stable_sort(near, std::ranges::greater{}, &View::agreeing_m);
   std::vector<const MapView*> best;

@@ -41,7 +41,7 @@ struct SeenByViews {
   double unexplained_m = 0.0;  ///< They lie behind something that is not on a wall of the view.
 };
 
-/// Lays the scan onto the views about the place, and compares.
+/// Lays the scan onto the views about the place, at most the 80 nearest, and compares.
 [[nodiscard]] SeenByViews seen_by_views(std::span<const MapView> views,
                                         const PreparedScan& scan,
                                         const Pose2& T_grid_sensor);

@@ -13,6 +13,7 @@
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/place_covariance.hpp"
 #include "setsquare/localisation/place_probability.hpp"
+#include "setsquare/localisation/view_probability.hpp"
 
 namespace setsquare {
 namespace {
@@ -103,6 +104,9 @@ void PlaceHypotheses::weigh(const SoughtScan& sought, double weight, bool search
   const PlaceScale scale = place_scale(places, searches);
   std::vector<double> log_odds;
   for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
+  if (searches && !map_->views().empty() && !is_certain()) {
+    log_odds = log_odds_by_views(places, seen_by_views(map_->views(), sought.prepared, places));
+  }
   std::vector<Hypothesis> found;
   for (std::size_t i = num_before; i < places.size(); ++i) {
     if (log_odds[i] < kLeastLogOdds) continue;

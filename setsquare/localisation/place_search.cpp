@@ -19,6 +19,8 @@ namespace setsquare {
 namespace {
 
 constexpr float kFitTolerance_m = 0.3F;
+/// Of so many places per place that is verified all beams are compared.
+constexpr std::size_t kLookedAtPerVerified = 4;
 
 /// How the samples fall on the walls: 1 where all lie on them, -1 where all lie in free space.
 double fit_at(const WallDistance& walls, const SurfaceSamples& samples, const Pose2& T) {
@@ -103,12 +105,22 @@ ComparedBeams compared_beams(const Scan& scan) {
   for (std::size_t beam = stride / 2; beam < scan.num_beams(); beam += stride) {
     const BeamOutcome outcome = scan.outcome(beam);
     if (outcome == BeamOutcome::kInvalid) continue;
-    beams.bearing_rad.push_back(scan.bearing_rad(beam));
+    beams.directions.push_back(rotation_matrix(scan.bearing_rad(beam)).col(0));
     beams.range_m.push_back(outcome == BeamOutcome::kReturn
                                 ? scan.ranges_m[beam]
                                 : std::numeric_limits<double>::infinity());
   }
   return beams;
+}
+
+/// Every fourth of the beams: a first look.
+ComparedBeams every_fourth(const ComparedBeams& beams) {
+  ComparedBeams fewer;
+  for (std::size_t i = 0; i < beams.range_m.size(); i += 4) {
+    fewer.directions.push_back(beams.directions[i]);
+    fewer.range_m.push_back(beams.range_m[i]);
+  }
+  return fewer;
 }
 
 /// How ranges agree with those that are to be expected.
@@ -125,9 +137,10 @@ RangeAgreement range_agreement(const WallDistance& walls,
   constexpr double kShort = -0.5;  ///< Something stands before the wall: people, new things.
   double sum = 0.0;
   std::size_t num_unjudged = 0;
+  const Eigen::Matrix2d turn = rotation_matrix(T.theta_rad);
   for (std::size_t i = 0; i < beams.range_m.size(); ++i) {
     const double expected_m =
-        range_to_wall(walls, T.x_m, T.y_m, T.theta_rad + beams.bearing_rad[i], max_range_m);
+        range_to_wall(walls, T.x_m, T.y_m, turn * beams.directions[i], max_range_m);
     const double range_m = beams.range_m[i];
     if (std::isnan(expected_m)) {
       num_unjudged += !std::isinf(range_m);
@@ -208,7 +221,9 @@ SoughtScan sought_scan(const Scan& scan) {
 bool is_one_place(const Pose2& a, const Pose2& b) {
   constexpr double kSame_m = 0.4;
   constexpr double kSame_rad = rad_from_deg(6.0);
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m) < kSame_m &&
+  const double dx_m = a.x_m - b.x_m;
+  const double dy_m = a.y_m - b.y_m;
+  return dx_m * dx_m + dy_m * dy_m < kSame_m * kSame_m &&
          std::abs(wrap_to_pi(a.theta_rad - b.theta_rad)) < kSame_rad;
 }
 
@@ -226,7 +241,14 @@ VerifiedPlace verified_place(const KnownMap& map,
                                                     T_expected_scan,
                                                     params.refinement.sweep_tolerance_m,
                                                     params.sweep);
-  const Pose2& T = refined.T_reference_current;
+  const auto fit_there = [&](const Pose2& there) {
+    return whole_fit(fit_at(map.walls(), scan.proposing, there), range_agreement(map, scan, there));
+  };
+  // Few or noisy returns may lead the refinement astray: what then fits worse than before stays.
+  constexpr double kMostLost = 0.05;
+  const bool is_astray =
+      fit_there(T_grid_sensor * refined.T_reference_current) < fit_there(T_grid_sensor) - kMostLost;
+  const Pose2 T = is_astray ? Pose2{} : refined.T_reference_current;
   place.T_grid_sensor = T_grid_sensor * T;
   const Alignment aligned =
       align(expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
@@ -260,6 +282,7 @@ std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& params) {
     });
     if (!is_known) different.push_back(&place);
   }
+  look_at(different, kLookedAtPerVerified * params.num_verified);
   for (RoughPlace* place : different) {
     if (place->whole_fit) continue;
     place->whole_fit =
@@ -289,6 +312,20 @@ void PlaceSearch::move_proposals(std::size_t count) {
         {.T_grid_sensor = T, .fit_on_walls = fit_at(map_.walls(), scan_.proposing, T)});
   }
   std::ranges::stable_sort(rough_, std::ranges::greater{}, &RoughPlace::fit_on_walls);
+}
+
+void PlaceSearch::look_at(std::vector<RoughPlace*>& places, std::size_t count) const {
+  if (places.size() <= count) return;
+  const ComparedBeams beams = every_fourth(scan_.compared);
+  for (RoughPlace* place : places) {
+    if (place->first_look) continue;
+    place->first_look = whole_fit(
+        place->fit_on_walls,
+        range_agreement(map_.walls(), beams, scan_.beams.max_range_m, place->T_grid_sensor));
+  }
+  std::ranges::stable_sort(
+      places, std::ranges::greater{}, [](const RoughPlace* place) { return *place->first_look; });
+  places.resize(count);
 }
 
 std::vector<VerifiedPlace> search_places(const KnownMap& map,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
@@ -19,8 +20,8 @@ namespace setsquare {
 /// Some beams of a scan, evenly over its sweep, that tell how far it is to a wall or how far
 /// nothing is.
 struct ComparedBeams {
-  std::vector<double> bearing_rad;
-  std::vector<double> range_m;  ///< Infinite: nothing within reach.
+  std::vector<Eigen::Vector2d> directions;  ///< In the sensor frame, of length 1.
+  std::vector<double> range_m;              ///< Infinite: nothing within reach.
 };
 
 /// A scan as it is searched for in a map.
@@ -78,11 +79,14 @@ class PlaceSearch {
   struct RoughPlace {
     Pose2 T_grid_sensor;
     double fit_on_walls = -1.0;
-    std::optional<double> whole_fit = std::nullopt;  ///< Once it was compared.
+    std::optional<double> first_look = std::nullopt;  ///< Fit by a few beams.
+    std::optional<double> whole_fit = std::nullopt;   ///< Once it was compared.
     std::optional<VerifiedPlace> verified = std::nullopt;
   };
 
   void move_proposals(std::size_t count);
+  /// Keeps the best `count` of the places, by a few of the beams.
+  void look_at(std::vector<RoughPlace*>& places, std::size_t count) const;
 
   const KnownMap& map_;
   const SoughtScan& scan_;

@@ -56,6 +56,16 @@ double distance_of(const SeenByViews& seen) {
 
 }  // namespace
 
+std::vector<SeenByViews> seen_by_views(std::span<const MapView> views,
+                                       const PreparedScan& scan,
+                                       std::span<const VerifiedPlace> places) {
+  std::vector<SeenByViews> seen;
+  for (const VerifiedPlace& place : places) {
+    seen.push_back(seen_by_views(views, scan, place.T_grid_sensor));
+  }
+  return seen;
+}
+
 ViewSharpness view_sharpness(std::span<const SeenByViews> seen) {
   constexpr double kSharpest_m = 0.004;
   constexpr double kAsWell = 0.5;

@@ -13,6 +13,11 @@
 
 namespace setsquare {
 
+/// As seen_by_views(), at each place.
+[[nodiscard]] std::vector<SeenByViews> seen_by_views(std::span<const MapView> views,
+                                                     const PreparedScan& scan,
+                                                     std::span<const VerifiedPlace> places);
+
 inline constexpr std::size_t kNumViewFeatures = 12;
 using ViewFeatures = std::array<double, kNumViewFeatures>;
 

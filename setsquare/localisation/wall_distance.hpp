@@ -31,8 +31,10 @@ class WallDistance {
   }
   /// What the grid has there; unknown outside it.
   [[nodiscard]] CellState state(CellIndex cell) const {
-    return contains(cell) ? states_[index(cell)] : CellState::kUnknown;
+    return contains(cell) ? state_inside(cell) : CellState::kUnknown;
   }
+  /// The same of a cell that the grid has.
+  [[nodiscard]] CellState state_inside(CellIndex cell) const { return states_[index(cell)]; }
   /// The cell of a place, inside the grid or not.
   [[nodiscard]] CellIndex cell_at(double x_m, double y_m) const;
 

@@ -27,6 +27,8 @@ OccupancyGrid room_with_posts(std::mt19937_64& generator) {
   return grid;
 }
 
+Eigen::Vector2d at_bearing(double bearing_rad) { return rotation_matrix(bearing_rad).col(0); }
+
 /// Where the ray enters the first wall cell on it, by looking at every cell of the grid: between
 /// the lines through its sides, in x and in y.
 double plain_range_m(const OccupancyGrid& grid,
@@ -64,7 +66,7 @@ TEST(RangeToWall, EndsInTheFirstWallCellOnTheRay) {
       const double y_m = y(generator);
       const double bearing_rad = bearing(generator);
       const double enters_m = plain_range_m(grid, walls, x_m, y_m, bearing_rad);
-      const double range_m = range_to_wall(walls, x_m, y_m, bearing_rad, 30.0);
+      const double range_m = range_to_wall(walls, x_m, y_m, at_bearing(bearing_rad), 30.0);
       // Somewhere between where the ray enters the cell and the cell's diagonal.
       EXPECT_GE(range_m, enters_m - 0.001);
       EXPECT_LE(range_m, enters_m + 0.0708);
@@ -80,10 +82,10 @@ TEST(RangeToWall, IsOpenWhereNothingIsMetAndUnknownWhereTheMapKnowsNothing) {
     }
   }
   const WallDistance walls(grid);
-  EXPECT_TRUE(std::isinf(range_to_wall(walls, 1.0, 1.0, 0.0, 10.0)));
-  EXPECT_TRUE(std::isnan(range_to_wall(walls, 1.0, 1.0, 0.0, 30.0)));
-  EXPECT_TRUE(std::isnan(range_to_wall(walls, 1.0, 1.0, kPi, 30.0)));
-  EXPECT_TRUE(std::isnan(range_to_wall(walls, -5.0, 1.0, 0.0, 30.0)));
+  EXPECT_TRUE(std::isinf(range_to_wall(walls, 1.0, 1.0, at_bearing(0.0), 10.0)));
+  EXPECT_TRUE(std::isnan(range_to_wall(walls, 1.0, 1.0, at_bearing(0.0), 30.0)));
+  EXPECT_TRUE(std::isnan(range_to_wall(walls, 1.0, 1.0, at_bearing(kPi), 30.0)));
+  EXPECT_TRUE(std::isnan(range_to_wall(walls, -5.0, 1.0, at_bearing(0.0), 30.0)));
 }
 
 TEST(RangeToWall, PassesTheUnknownMetreAboutTheSensorAndNoMore) {
@@ -99,8 +101,8 @@ TEST(RangeToWall, PassesTheUnknownMetreAboutTheSensorAndNoMore) {
     grid.values()[grid.index({column, 23})] = 2.0F;
   }
   const WallDistance walls(grid);
-  EXPECT_NEAR(range_to_wall(walls, 1.2, 1.0, 0.0, 10.0), 3.8, 0.051);
-  EXPECT_TRUE(std::isnan(range_to_wall(walls, 0.8, 1.0, 0.0, 10.0)));
+  EXPECT_NEAR(range_to_wall(walls, 1.2, 1.0, at_bearing(0.0), 10.0), 3.8, 0.051);
+  EXPECT_TRUE(std::isnan(range_to_wall(walls, 0.8, 1.0, at_bearing(0.0), 10.0)));
 }
 
 TEST(LayoutOf, KeepsTheSweepAndIsNoDenserThanHalfADegree) {

@@ -11,6 +11,7 @@
 #include "setsquare/core/error.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/localisation/known_map.hpp"
+#include "setsquare/localisation/place_search.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
 
@@ -203,6 +204,31 @@ TEST(LocateScan, OfNothingFindsNothing) {
   Scan invalid = scan;
   invalid.bearing_step_rad = std::nan("");
   EXPECT_THROW((void)locate_scan(nothing, invalid), ParameterError);
+}
+
+TEST(VerifiedPlace, FewNoisyReturnsDoNotLeadItAstray) {
+  auto generator = testing::make_generator();
+  constexpr int kNumRooms = 10;
+  constexpr int kNumScans = 10;
+  int num_astray = 0;
+  for (int k = 0; k < kNumRooms; ++k) {
+    const MappedRoom mapped = mapped_room(generator);
+    const KnownMap map(mapped.grid);
+    for (int i = 0; i < kNumScans; ++i) {
+      const Pose2 truth = testing::free_pose(mapped.room, generator);
+      constexpr double kNoise_m = 0.06;
+      constexpr double kMissed = 0.85;
+      const Scan scan =
+          testing::scan_of_walls(mapped.room.walls, truth, kFan, kNoise_m, generator(), kMissed);
+      const Pose2 T_grid_sensor = map.T_map_grid().inverse() * truth;
+      const VerifiedPlace place = verified_place(map, sought_scan(scan), T_grid_sensor);
+      const Pose2 error = T_grid_sensor.inverse() * place.T_grid_sensor;
+      num_astray +=
+          error.translation().norm() > 0.2 || std::abs(error.theta_rad) > rad_from_deg(2.0);
+    }
+  }
+  RecordProperty("astray", num_astray);
+  EXPECT_LE(num_astray, kNumRooms * kNumScans / 50);
 }
 
 }  // namespace setsquare::locate_scan_test

@@ -5,11 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <random>
 #include <vector>
 
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/localisation/known_map.hpp"
+#include "setsquare/localisation/localizer.hpp"
 #include "setsquare/localisation/locate_scan.hpp"
 #include "tests/support/rooms.hpp"
 #include "tests/support/seed.hpp"
@@ -114,6 +116,36 @@ TEST(MapViews, TellApartWhatIsAlikeInItsGrid) {
   EXPECT_LE(num_wrong, 1);
   EXPECT_GE(num_by_scans, num_by_grid + kNumRooms * kNumScans / 20)
       << num_by_grid << " by the grid alone";
+}
+
+TEST(MapViews, TellALocalizerWhereItBegins) {
+  auto generator = testing::make_generator();
+  constexpr int kNumRooms = 12;
+  constexpr int kNumScans = 5;
+  int num_by_grid = 0;
+  int num_by_scans = 0;
+  int num_wrong = 0;
+  for (int k = 0; k < kNumRooms; ++k) {
+    const SeenRoom seen = seen_room(3, generator);
+    const OccupancyGrid grid = grid_from_scans(seen.placed);
+    const auto by_grid = std::make_shared<const KnownMap>(grid);
+    const auto by_scans = std::make_shared<const KnownMap>(grid, seen.placed);
+    for (int i = 0; i < kNumScans; ++i) {
+      const Pose2 truth = testing::free_pose(seen.room, generator);
+      const Scan scan = scan_at(seen.room, truth, generator);
+      num_by_grid += Localizer(by_grid).add(scan).status == LocalisationStatus::kLocalised;
+      const LocalisedPose pose = Localizer(by_scans).add(scan);
+      if (pose.status != LocalisationStatus::kLocalised) continue;
+      ++num_by_scans;
+      const Pose2 error = truth.inverse() * pose.T_map_sensor;
+      num_wrong +=
+          error.translation().norm() > 0.1 || std::abs(error.theta_rad) > rad_from_deg(2.0);
+    }
+  }
+  RecordProperty("by_grid", num_by_grid);
+  RecordProperty("by_scans", num_by_scans);
+  EXPECT_LE(num_wrong, 1);
+  EXPECT_GT(num_by_scans, num_by_grid);
 }
 
 }  // namespace setsquare::map_views_test
