@@ -26,8 +26,8 @@ struct MotionCovariance {
   /// How far the motion departs from odometry that has proved true, as sigmas: one of the two is
   /// wrong. The rest of the covariance does not count it, for mostly the scans are right.
   double departure_sigma_m = 0.0;
-  double departure_sigma_rad = 0.0;
-  bool has_odometry = true;  ///< Whether odometry predicted every scan of the motion.
+  double departure_sigma_rad = 0.0;  ///< The same of the turn.
+  bool has_odometry = true;          ///< Whether odometry predicted every scan of the motion.
   /// Whether steps from scan to scan were usually long then: a log of key frames, a low rate. Where
   /// tracking begins anew at such a step, the scans before and after were taken near each other.
   bool is_long_step = false;
