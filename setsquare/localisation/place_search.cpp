@@ -229,7 +229,8 @@ bool is_one_place(const Pose2& a, const Pose2& b) {
 
 VerifiedPlace verified_place(const KnownMap& map,
                              const SoughtScan& scan,
-                             const Pose2& T_grid_sensor) {
+                             const Pose2& T_grid_sensor,
+                             double max_fall) {
   constexpr std::array<double, 3> kTolerances_m{0.3, 0.2, 0.2};
   const MatchParams params;
   VerifiedPlace place;
@@ -244,10 +245,8 @@ VerifiedPlace verified_place(const KnownMap& map,
   const auto fit_there = [&](const Pose2& there) {
     return whole_fit(fit_at(map.walls(), scan.proposing, there), range_agreement(map, scan, there));
   };
-  // Few or noisy returns may lead the refinement astray: what then fits worse than before stays.
-  constexpr double kMostLost = 0.05;
   const bool is_astray =
-      fit_there(T_grid_sensor * refined.T_reference_current) < fit_there(T_grid_sensor) - kMostLost;
+      fit_there(T_grid_sensor * refined.T_reference_current) < fit_there(T_grid_sensor) - max_fall;
   const Pose2 T = is_astray ? Pose2{} : refined.T_reference_current;
   place.T_grid_sensor = T_grid_sensor * T;
   const Alignment aligned =

@@ -100,9 +100,15 @@ class PlaceSearch {
                                                        const SoughtScan& scan,
                                                        const PlaceSearchParams& params = {});
 
-/// Step 3 alone, of a place that is right within some decimetres and degrees.
+/// A place that the refinement leaves with a fit that fell by more was led astray by it.
+inline constexpr double kMaxFallOfFit = 0.05;
+
+/// Step 3 alone, of a place that is right within some decimetres and degrees. Few or noisy returns
+/// may lead the refinement astray: where the fit falls by more than `max_fall`, it stays where it
+/// was.
 [[nodiscard]] VerifiedPlace verified_place(const KnownMap& map,
                                            const SoughtScan& scan,
-                                           const Pose2& T_grid_sensor);
+                                           const Pose2& T_grid_sensor,
+                                           double max_fall = kMaxFallOfFit);
 
 }  // namespace setsquare
