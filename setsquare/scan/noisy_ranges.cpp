@@ -85,7 +85,8 @@ double range_noise_m(const Scan& scan) {
   return low_m / (kLow * std::sqrt(6.0));
 }
 
-std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan, double noise_m) {
+std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan) {
+  const double noise_m = range_noise_m(scan);
   if (noise_m < kNoisy_m) return std::nullopt;
   const double step_m = 3.0 * std::sqrt(2.0) * noise_m;
   const auto reach = static_cast<std::size_t>(kSmoothing_rad / std::abs(scan.bearing_step_rad));

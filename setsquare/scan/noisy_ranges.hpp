@@ -17,8 +17,6 @@ namespace setsquare {
 /// The ranges of a scan of a noisy scanner (range_noise_m() of 3.5 cm or more), each replaced by
 /// that of a line through its neighbours within 4 degrees; nothing for other scans, which walls
 /// are fitted to as they are. Ranges that are no returns, and steps from thing to thing, stay.
-/// `noise_m`: range_noise_m() of the scan.
-[[nodiscard]] std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan,
-                                                                   double noise_m);
+[[nodiscard]] std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan);
 
 }  // namespace setsquare

@@ -15,8 +15,7 @@ struct SurfaceParams {
   double collinear_tolerance_m = 0.04;  ///< Farther neighbours join where four in a row fit a line.
   double max_join_m = 4.0;              ///< No surface spans a wider gap.
   double fit_radius_m = 0.30;  ///< The line at a return is fitted to its joined neighbours within.
-  double max_fit_rms_m = 0.025;  ///< A fit that is worse than this is a corner or clutter ...
-  double max_fit_noise = 1.3;    ///< ... if it is worse than so many deviations of the ranges, too.
+  double max_fit_rms_m = 0.025;  ///< A fit that is worse than this is a corner or clutter.
   double max_weight_m = 0.20;    ///< A return stands for at most this length of wall.
 
   /// Throws ParameterError that names the field.

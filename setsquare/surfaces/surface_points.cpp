@@ -57,8 +57,8 @@ double distance(const SurfacePoints& points, std::size_t i, std::size_t j) {
 }
 
 /// The returns as points; one rotation a beam instead of a sine and a cosine.
-SurfacePoints place_returns(const Scan& scan, double noise_m, double max_range_m) {
-  const std::optional<std::vector<double>> smoothed_m = smoothed_ranges_m(scan, noise_m);
+SurfacePoints place_returns(const Scan& scan, double max_range_m) {
+  const std::optional<std::vector<double>> smoothed_m = smoothed_ranges_m(scan);
   const double* const ranges_m = smoothed_m ? smoothed_m->data() : scan.ranges_m.data();
   SurfacePoints points;
   const std::size_t capacity = scan.num_beams();
@@ -161,19 +161,14 @@ Window window_around(const SurfacePoints& points, std::size_t i, double radius_m
   return window;
 }
 
-struct LineFitLimits {
-  double radius_m = 0.0;  ///< Neighbours farther off have no part.
-  double rms_m = 0.0;     ///< Of what fits.
-};
-
 /// The line at point i: of the whole window, or of its better side where the surface bends.
 void fit_normal(const std::vector<Moments>& sums,
-                const LineFitLimits& limits,
+                const SurfaceParams& params,
                 std::size_t i,
                 SurfacePoints& points) {
-  const Window window = window_around(points, i, limits.radius_m);
+  const Window window = window_around(points, i, params.fit_radius_m);
   if (window.last - window.first < 1) return;
-  const double limit_m2 = limits.rms_m * limits.rms_m;
+  const double limit_m2 = params.max_fit_rms_m * params.max_fit_rms_m;
   LineFit fit = fit_line(sums[window.last + 1] - sums[window.first]);
   if (fit.mean_square_m2 > limit_m2) {
     LineFit best_side{.mean_square_m2 = limit_m2};
@@ -217,21 +212,16 @@ void SurfaceParams::validate() const {
   require_positive(max_join_m, "max_join_m");
   require_positive(fit_radius_m, "fit_radius_m");
   require_positive(max_fit_rms_m, "max_fit_rms_m");
-  require_not_negative(max_fit_noise, "max_fit_noise");
   require_positive(max_weight_m, "max_weight_m");
 }
 
 SurfacePoints surface_points_from_scan(const Scan& scan, const SurfaceParams& params) {
-  const double noise_m = range_noise_m(scan);
-  SurfacePoints points = place_returns(scan, noise_m, params.max_range_m);
+  SurfacePoints points = place_returns(scan, params.max_range_m);
   join_neighbours(scan, params, points);
   points.normal_x.assign(points.size(), 0.0F);
   points.normal_y.assign(points.size(), 0.0F);
   const std::vector<Moments> sums = cumulate_moments(points);
-  const LineFitLimits limits{
-      .radius_m = params.fit_radius_m,
-      .rms_m = std::max(params.max_fit_rms_m, params.max_fit_noise * noise_m)};
-  for (std::size_t i = 0; i < points.size(); ++i) fit_normal(sums, limits, i, points);
+  for (std::size_t i = 0; i < points.size(); ++i) fit_normal(sums, params, i, points);
   weigh(scan, params, points);
   return points;
 }

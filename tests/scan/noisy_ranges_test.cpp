@@ -29,10 +29,6 @@ Scan in_square_room(double noise_m, std::uint64_t seed) {
   return scan;
 }
 
-std::optional<std::vector<double>> smoothed(const Scan& scan) {
-  return smoothed_ranges_m(scan, range_noise_m(scan));
-}
-
 double rms_error_m(const std::vector<double>& ranges_m) {
   const Scan exact = in_square_room(0.0, 0);
   double sum_m2 = 0.0;
@@ -55,14 +51,14 @@ TEST(NoisyRanges, TheirDeviationIsFound) {
 
 TEST(NoisyRanges, AreSmoothedToHalfTheirNoise) {
   const Scan scan = in_square_room(0.2, testing::test_seed());
-  const auto smoothed_m = smoothed(scan);
+  const auto smoothed_m = smoothed_ranges_m(scan);
   ASSERT_TRUE(smoothed_m.has_value());
   EXPECT_LT(rms_error_m(*smoothed_m), 0.5 * rms_error_m(scan.ranges_m));
 }
 
 TEST(NoisyRanges, UsualScannersAreLeftAlone) {
-  EXPECT_FALSE(smoothed(in_square_room(0.02, testing::test_seed())).has_value());
-  EXPECT_FALSE(smoothed(Scan{}).has_value());
+  EXPECT_FALSE(smoothed_ranges_m(in_square_room(0.02, testing::test_seed())).has_value());
+  EXPECT_FALSE(smoothed_ranges_m(Scan{}).has_value());
 }
 
 TEST(NoisyRanges, ClutterIsNoNoise) {
@@ -70,14 +66,14 @@ TEST(NoisyRanges, ClutterIsNoNoise) {
   std::mt19937_64 random(testing::test_seed());
   std::uniform_real_distribution<double> range_m(0.5, 6.0);
   for (std::size_t i = 0; i < scan.num_beams(); i += 6) scan.ranges_m[i] = range_m(random);
-  EXPECT_FALSE(smoothed(scan).has_value());
+  EXPECT_FALSE(smoothed_ranges_m(scan).has_value());
 }
 
 TEST(NoisyRanges, WhatIsNoReturnStays) {
   Scan scan = in_square_room(0.2, testing::test_seed());
   scan.ranges_m[17] = 0.0;
   scan.ranges_m[90] = 81.83;
-  const auto smoothed_m = smoothed(scan);
+  const auto smoothed_m = smoothed_ranges_m(scan);
   ASSERT_TRUE(smoothed_m.has_value());
   EXPECT_EQ((*smoothed_m)[17], 0.0);
   EXPECT_EQ((*smoothed_m)[90], 81.83);
@@ -86,7 +82,7 @@ TEST(NoisyRanges, WhatIsNoReturnStays) {
 TEST(NoisyRanges, AStepFromThingToThingStays) {
   Scan scan = in_square_room(0.15, testing::test_seed());
   for (std::size_t i = 100; i < 130; ++i) scan.ranges_m[i] -= 3.0;
-  const auto smoothed_m = smoothed(scan);
+  const auto smoothed_m = smoothed_ranges_m(scan);
   ASSERT_TRUE(smoothed_m.has_value());
   EXPECT_NEAR((*smoothed_m)[100], scan.ranges_m[100], 0.5);
   EXPECT_NEAR((*smoothed_m)[99], scan.ranges_m[99], 0.5);
