@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/core/damped_step.hpp"
 #include "setsquare/core/parallel.hpp"
+#include "setsquare/localisation/wall_step.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/sample_comparison.hpp"
 #include "setsquare/tracking/submap_alignment.hpp"
@@ -71,24 +71,18 @@ std::vector<const MapView*> views_about(std::span<const MapView> views,
   return best;
 }
 
-/// Steps of Gauss and Newton onto the walls of all views. Where they leave a direction open the
-/// pose stays put along it.
+/// Steps of Gauss and Newton onto the walls of all views.
 Pose2 moved_onto_views(std::span<const PlacedImage> images,
                        const SurfaceSamples& samples,
                        const Pose2& T_grid_sensor) {
   constexpr double kMaxStep_m = 0.2;
-  constexpr double kMaxTurn_rad = 0.1;
   constexpr double kGatesPerScale = 3.0;
   Pose2 T = T_grid_sensor;
   PointMarks marks;
   for (const double gate_m : {0.3, 0.2, 0.15, 0.15}) {
     const AlignmentScale scale{.gate_m = gate_m, .scale_m = gate_m / kGatesPerScale};
     const SubmapAlignment found = align_with_submap(images, samples, T, scale, marks);
-    const Eigen::Vector3d damping = 1e-3 + 0.02 * found.hessian.diagonal().array();
-    const Eigen::Vector3d step = damped_step<3>({found.hessian, found.gradient}, damping);
-    T = {T.x_m + std::clamp(step.x(), -kMaxStep_m, kMaxStep_m),
-         T.y_m + std::clamp(step.y(), -kMaxStep_m, kMaxStep_m),
-         wrap_to_pi(T.theta_rad + std::clamp(step.z(), -kMaxTurn_rad, kMaxTurn_rad))};
+    T = stepped_onto_walls(T, {found.hessian, found.gradient}, kMaxStep_m);
   }
   return T;
 }

@@ -103,9 +103,10 @@ void PlaceHypotheses::weigh(const SoughtScan& sought, double weight, bool search
   if (places.empty()) return;
   const PlaceScale scale = place_scale(places, searches);
   std::vector<double> log_odds;
-  for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
   if (searches && !map_->views().empty() && !is_certain()) {
     log_odds = log_odds_by_views(places, seen_by_views(map_->views(), sought.prepared, places));
+  } else {
+    for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
   }
   std::vector<Hypothesis> found;
   for (std::size_t i = num_before; i < places.size(); ++i) {

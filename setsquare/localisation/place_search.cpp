@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/core/damped_step.hpp"
+#include "setsquare/localisation/wall_step.hpp"
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/keep_best.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
@@ -78,14 +78,8 @@ Pose2 stepped(const WallDistance& walls,
   NormalEquations<3> equations;
   equations.hessian << xx, xy, xt, xy, yy, yt, xt, yt, tt;
   equations.gradient << x_sum, y_sum, t_sum;
-  // Where the walls leave a direction open the pose stays put along it.
-  const Eigen::Vector3d damping = 1e-3 + 0.02 * equations.hessian.diagonal().array();
-  const Eigen::Vector3d step = damped_step<3>(equations, damping);
   constexpr double kMaxStep_m = 0.3;
-  constexpr double kMaxTurn_rad = 0.1;
-  return {T.x_m + std::clamp(step.x(), -kMaxStep_m, kMaxStep_m),
-          T.y_m + std::clamp(step.y(), -kMaxStep_m, kMaxStep_m),
-          wrap_to_pi(T.theta_rad + std::clamp(step.z(), -kMaxTurn_rad, kMaxTurn_rad))};
+  return stepped_onto_walls(T, equations, kMaxStep_m);
 }
 
 Pose2 moved_onto_walls(const WallDistance& walls,
@@ -186,6 +180,18 @@ double whole_fit(double fit_on_walls, const RangeAgreement& ranges) {
   return 0.5 * (fit_on_walls + ranges.mean);
 }
 
+/// How the scan fits a place.
+struct PlaceFit {
+  double whole = -1.0;
+  double unjudged_share = 0.0;  ///< As of RangeAgreement.
+};
+
+PlaceFit place_fit(const KnownMap& map, const SoughtScan& scan, const Pose2& T_grid_sensor) {
+  const RangeAgreement ranges = range_agreement(map, scan, T_grid_sensor);
+  return {whole_fit(fit_at(map.walls(), scan.proposing, T_grid_sensor), ranges),
+          ranges.unjudged_share};
+}
+
 /// The best of the whole map, the highest correlation first.
 std::vector<MapProposal> propose_places(const KnownMap& map,
                                         const SoughtScan& scan,
@@ -242,20 +248,18 @@ VerifiedPlace verified_place(const KnownMap& map,
                                                     T_expected_scan,
                                                     params.refinement.sweep_tolerance_m,
                                                     params.sweep);
-  const auto fit_there = [&](const Pose2& there) {
-    return whole_fit(fit_at(map.walls(), scan.proposing, there), range_agreement(map, scan, there));
-  };
-  const bool is_astray =
-      fit_there(T_grid_sensor * refined.T_reference_current) < fit_there(T_grid_sensor) - max_fall;
+  const PlaceFit fit_before = place_fit(map, scan, T_grid_sensor);
+  const PlaceFit fit_refined = place_fit(map, scan, T_grid_sensor * refined.T_reference_current);
+  const bool is_astray = fit_refined.whole < fit_before.whole - max_fall;
   const Pose2 T = is_astray ? Pose2{} : refined.T_reference_current;
+  const PlaceFit& fit = is_astray ? fit_before : fit_refined;
   place.T_grid_sensor = T_grid_sensor * T;
   const Alignment aligned =
       align(expected.fine_alignment(), scan.prepared.fine_alignment(), T, params.score.tolerance_m);
   place.score = score(aligned.evidence, params.score);
   place.unlined_share = unlined_share(scan.prepared.fine);
-  const RangeAgreement ranges = range_agreement(map, scan, place.T_grid_sensor);
-  place.unjudged_share = ranges.unjudged_share;
-  place.fit = whole_fit(fit_at(map.walls(), scan.proposing, place.T_grid_sensor), ranges);
+  place.unjudged_share = fit.unjudged_share;
+  place.fit = fit.whole;
   place.kinds = wall_kinds(expected.fine_alignment(), scan.prepared.fine_alignment(), T);
   place.constraint = wall_constraint(refined.pose_hessian);
   place.distinct_wall_m = distinct_wall_m(

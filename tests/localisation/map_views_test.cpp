@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <random>
 #include <vector>
 
@@ -86,66 +87,60 @@ TEST(MapViews, AreTheSameByAnyNumberOfThreads) {
   }
 }
 
-TEST(MapViews, TellApartWhatIsAlikeInItsGrid) {
-  auto generator = testing::make_generator();
-  constexpr int kNumRooms = 12;
-  constexpr int kNumScans = 5;
+/// Of scans in rooms of which three scans leave something unmapped: how many are localised by the
+/// grid alone and by the map's scans, too, and how many of these wrongly.
+struct LocalisedScans {
+  int num = 60;
   int num_by_grid = 0;
   int num_by_scans = 0;
   int num_wrong = 0;
-  for (int k = 0; k < kNumRooms; ++k) {
-    // Three scans leave something of a room unmapped.
-    const SeenRoom seen = seen_room(3, generator);
-    const OccupancyGrid grid = grid_from_scans(seen.placed);
-    const KnownMap by_grid(grid);
-    const KnownMap by_scans(grid, seen.placed);
-    for (int i = 0; i < kNumScans; ++i) {
-      const Pose2 truth = testing::free_pose(seen.room, generator);
-      const Scan scan = scan_at(seen.room, truth, generator);
-      const LocatedScan located = locate_scan(by_scans, scan);
-      num_by_grid += locate_scan(by_grid, scan).status == LocalisationStatus::kLocalised;
-      if (located.status != LocalisationStatus::kLocalised) continue;
-      ++num_by_scans;
-      const Pose2 error = truth.inverse() * located.places.front().T_map_sensor;
-      num_wrong +=
-          error.translation().norm() > 0.1 || std::abs(error.theta_rad) > rad_from_deg(2.0);
-    }
-  }
-  RecordProperty("by_grid", num_by_grid);
-  RecordProperty("by_scans", num_by_scans);
-  EXPECT_LE(num_wrong, 1);
-  EXPECT_GE(num_by_scans, num_by_grid + kNumRooms * kNumScans / 20)
-      << num_by_grid << " by the grid alone";
-}
+};
 
-TEST(MapViews, TellALocalizerWhereItBegins) {
+/// `locate`: a known map and a scan -> the scan's pose where it is localised, or nothing.
+template <typename Locate>
+LocalisedScans localised_in_rooms(const Locate& locate) {
   auto generator = testing::make_generator();
-  constexpr int kNumRooms = 12;
-  constexpr int kNumScans = 5;
-  int num_by_grid = 0;
-  int num_by_scans = 0;
-  int num_wrong = 0;
-  for (int k = 0; k < kNumRooms; ++k) {
+  constexpr int kNumInRoom = 5;
+  LocalisedScans localised;
+  for (int k = 0; k < localised.num / kNumInRoom; ++k) {
     const SeenRoom seen = seen_room(3, generator);
     const OccupancyGrid grid = grid_from_scans(seen.placed);
     const auto by_grid = std::make_shared<const KnownMap>(grid);
     const auto by_scans = std::make_shared<const KnownMap>(grid, seen.placed);
-    for (int i = 0; i < kNumScans; ++i) {
+    for (int i = 0; i < kNumInRoom; ++i) {
       const Pose2 truth = testing::free_pose(seen.room, generator);
       const Scan scan = scan_at(seen.room, truth, generator);
-      num_by_grid += Localizer(by_grid).add(scan).status == LocalisationStatus::kLocalised;
-      const LocalisedPose pose = Localizer(by_scans).add(scan);
-      if (pose.status != LocalisationStatus::kLocalised) continue;
-      ++num_by_scans;
-      const Pose2 error = truth.inverse() * pose.T_map_sensor;
-      num_wrong +=
+      localised.num_by_grid += locate(by_grid, scan).has_value();
+      const std::optional<Pose2> T_map_sensor = locate(by_scans, scan);
+      if (!T_map_sensor) continue;
+      ++localised.num_by_scans;
+      const Pose2 error = truth.inverse() * *T_map_sensor;
+      localised.num_wrong +=
           error.translation().norm() > 0.1 || std::abs(error.theta_rad) > rad_from_deg(2.0);
     }
   }
-  RecordProperty("by_grid", num_by_grid);
-  RecordProperty("by_scans", num_by_scans);
-  EXPECT_LE(num_wrong, 1);
-  EXPECT_GT(num_by_scans, num_by_grid);
+  return localised;
+}
+
+TEST(MapViews, TellApartWhatIsAlikeInItsGrid) {
+  const LocalisedScans localised = localised_in_rooms([](const auto& map, const Scan& scan) {
+    const LocatedScan located = locate_scan(*map, scan);
+    const bool is_localised = located.status == LocalisationStatus::kLocalised;
+    return is_localised ? std::optional(located.places.front().T_map_sensor) : std::nullopt;
+  });
+  EXPECT_LE(localised.num_wrong, 1);
+  EXPECT_GE(localised.num_by_scans, localised.num_by_grid + localised.num / 20)
+      << localised.num_by_grid << " by the grid alone";
+}
+
+TEST(MapViews, TellALocalizerWhereItBegins) {
+  const LocalisedScans localised = localised_in_rooms([](const auto& map, const Scan& scan) {
+    const LocalisedPose pose = Localizer(map).add(scan);
+    const bool is_localised = pose.status == LocalisationStatus::kLocalised;
+    return is_localised ? std::optional(pose.T_map_sensor) : std::nullopt;
+  });
+  EXPECT_LE(localised.num_wrong, 1);
+  EXPECT_GT(localised.num_by_scans, localised.num_by_grid);
 }
 
 }  // namespace setsquare::map_views_test
