@@ -89,7 +89,8 @@ std::optional<std::vector<double>> smoothed_ranges_m(const Scan& scan) {
   const double noise_m = range_noise_m(scan);
   if (noise_m < kNoisy_m) return std::nullopt;
   const double step_m = 3.0 * std::sqrt(2.0) * noise_m;
-  const auto reach = static_cast<std::size_t>(kSmoothing_rad / std::abs(scan.bearing_step_rad));
+  const auto reach = static_cast<std::size_t>(std::min(
+      kSmoothing_rad / std::abs(scan.bearing_step_rad), static_cast<double>(scan.num_beams())));
   std::vector<double> smoothed_m = scan.ranges_m;
   for (std::size_t beam = 0; beam < scan.num_beams(); ++beam) {
     if (scan.outcome(beam) != BeamOutcome::kReturn) continue;
