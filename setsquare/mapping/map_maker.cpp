@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/robust_pose_graph.hpp"
-#include "setsquare/mapping/anchored_keyframes.hpp"
 #include "setsquare/mapping/audit/closures_anywhere.hpp"
 #include "setsquare/mapping/audit/seen_through.hpp"
 #include "setsquare/mapping/heading_spread.hpp"
@@ -71,9 +69,9 @@ bool is_revisit(const Constraint& constraint, const LoopCloser& closer) {
 PoseGraph graph_along(const KeyframeTrack& track,
                       std::span<const double> headings_rad,
                       const LoopCloser& closer,
-                      std::span<const SlippedSteps> slips = {}) {
+                      std::span<const Slips> slips = {}) {
   PoseGraph graph = pose_graph_of(track, headings_rad);
-  loosen_slipped(slips, graph);
+  for (const Slips& of_mending : slips) loosen_slipped(of_mending, graph);
   const std::vector<ComparedPlaces>& compared = closer.compared();
   for (std::size_t i = 0; i < compared.size(); ++i) {
     if (!is_accepted(compared[i].verdict.reason)) continue;
@@ -90,7 +88,7 @@ void close_loops(const KeyframeTrack& track,
                  std::size_t num_keyframes,
                  const MapperParams& params,
                  LoopCloser& closer,
-                 std::span<const SlippedSteps> slips) {
+                 std::span<const Slips> slips) {
   PoseGraph graph = graph_along(track, headings_rad, closer, slips);
   loosen_across(track.size() - 1, false, graph);
   const std::vector<Eigen::Vector2d> positions_m = solve_positions(graph);
@@ -337,11 +335,12 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
       findings = std::move(of_told);
       is_mended = true;
     };
-    const Closed before = closed;
     const std::vector<MapHypothesis> hypotheses = findings.hypotheses();
-    std::vector<SlippedSteps> slips = slipped_steps(findings, map.graph);
     std::vector<TurnedWalls> turned;
     if (params_.outvoted.is_on) turned = outvoted_in(closed, &findings);
+    if (hypotheses.empty() && turned.empty()) break;
+    const Closed before = closed;
+    Slips slips = slipped_steps(findings, map.graph);
     if (!hypotheses.empty()) {
       for (Closed& story : closed_with_turns(before, hypotheses)) {
         keep_if_better(std::move(story), false);
@@ -377,10 +376,10 @@ MapMaker::Closed MapMaker::closed_with(const Closed& closed,
 }
 
 MapMaker::Closed MapMaker::closed_with_slips(const Closed& closed,
-                                             std::vector<SlippedSteps> slips,
+                                             Slips slips,
                                              const std::vector<MapHypothesis>& hypotheses) const {
   Closed slipped = closed;
-  std::ranges::move(slips, std::back_inserter(slipped.slips));
+  slipped.slips.push_back(std::move(slips));
   return closed_with(slipped, hypotheses);
 }
 

@@ -27,13 +27,13 @@ namespace setsquare {
 ///    are solved.
 /// 2. The places of the first `num_keyframes` that the closer has not seen are compared with those
 ///    near by.
-/// `slips`: see loosen_slipped().
+/// `slips`: of each mending; see loosen_slipped().
 void close_loops(const KeyframeTrack& track,
                  std::span<const double> headings_rad,
                  std::size_t num_keyframes,
                  const MapperParams& params,
                  LoopCloser& closer,
-                 std::span<const SlippedSteps> slips = {});
+                 std::span<const Slips> slips = {});
 
 /// The track laid out along its headings, positions and weights of the closures accepted so far by
 /// graduated non-convexity. The source of a closure's constraint is its index in
@@ -106,7 +106,7 @@ class MapMaker {
     FusedHeadings headings;
     LoopCloser closer;
     JoinedPieces joined;
-    std::vector<SlippedSteps> slips = {};  ///< That an audit found.
+    std::vector<Slips> slips = {};  ///< That audits found, of each mending.
   };
 
   /// The map, or the track alone where it throws; `close`: the loops.
@@ -137,7 +137,7 @@ class MapMaker {
                                    const std::vector<MapHypothesis>& hypotheses) const;
   /// The same where tracking slipped as the hypotheses tell.
   [[nodiscard]] Closed closed_with_slips(const Closed& closed,
-                                         std::vector<SlippedSteps> slips,
+                                         Slips slips,
                                          const std::vector<MapHypothesis>& hypotheses) const;
   /// The same with a turn that the walls left undecided as the hypotheses tell it: tracking slipped
   /// there, or it did not. One for each such turn that would explain what they say of the headings.

@@ -32,10 +32,10 @@ double variance_along_m2(const SlippedSteps& steps,
 
 }  // namespace
 
-std::vector<SlippedSteps> slipped_steps(const AuditFindings& findings, const PoseGraph& graph) {
-  std::vector<SlippedSteps> slips;
+Slips slipped_steps(const AuditFindings& findings, const PoseGraph& graph) {
+  Slips slips;
   for (const ContradictionGroup& group : findings.groups) {
-    if (!group.raises_doubt || group.may_be_twin) continue;
+    if (!group.is_hypothesis()) continue;
     const AuditMatch& centre = findings.matches[group.centre];
     const Pose2 correction = correction_by(centre, findings.track);
     if (std::abs(correction.theta_rad) > kMaxSlipTurn_rad) continue;
@@ -55,7 +55,7 @@ std::vector<SlippedSteps> slipped_steps(const AuditFindings& findings, const Pos
   return slips;
 }
 
-void loosen_slipped(std::span<const SlippedSteps> slips, PoseGraph& graph) {
+void loosen_slipped(const Slips& slips, PoseGraph& graph) {
   std::vector<double> times_variance(graph.T_map_node.size(), 1.0);
   for (const SlippedSteps& slip : slips) {
     for (std::size_t k = slip.first + 1; k <= slip.last; ++k) {

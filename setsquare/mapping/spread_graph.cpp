@@ -14,8 +14,6 @@
 namespace setsquare {
 namespace {
 
-/// A heading that walls measure is known modulo this.
-constexpr double kQuarterTurn_rad = 0.5 * kPi;
 /// A frame of the building that fewer keyframes see tells nothing of its wings.
 constexpr double kMinSupport = HeadingFramesParams{}.min_support;
 
@@ -129,12 +127,12 @@ void widen_departures(const Map& map, PoseGraph& graph) {
 /// How certain a turn must be (sigma) for walls to tell the heading behind it: three of these are
 /// half of the least angle that walls of the building stand at to each other, be it the quarter.
 double sure_turn_rad(const std::vector<BuildingFrame>& frames) {
-  double least_rad = kQuarterTurn_rad;
+  double least_rad = kQuarterTurn;
   for (std::size_t f = 1; f < frames.size(); ++f) {
     for (std::size_t g = 0; g < f; ++g) {
       if (std::min(frames[f].support, frames[g].support) < kMinSupport) continue;
       const double angle_rad =
-          wrap_to_period(frames[f].offset_rad - frames[g].offset_rad, kQuarterTurn_rad);
+          wrap_to_period(frames[f].offset_rad - frames[g].offset_rad, kQuarterTurn);
       least_rad = std::min(least_rad, std::abs(angle_rad));
     }
   }

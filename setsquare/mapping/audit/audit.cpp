@@ -82,7 +82,7 @@ MapHypothesis hypothesis_by(const AuditMatch& match,
 std::vector<MapHypothesis> AuditFindings::hypotheses() const {
   std::vector<MapHypothesis> found;
   for (const ContradictionGroup& group : groups) {
-    if (!group.raises_doubt || group.may_be_twin) continue;
+    if (!group.is_hypothesis()) continue;
     for (const std::size_t i : group.members) {
       found.push_back(hypothesis_by(matches[i], track, group.num_places, group.num_agreeing));
     }

@@ -62,6 +62,9 @@ struct ContradictionGroup : AlikeMatches {
   /// Behind an open stretch, and it asks for more than it extends over: two places that look alike
   /// may lie beside each other there. Told, but no reason to close the map by it.
   bool may_be_twin = false;
+
+  /// Whether the map may be mended by it.
+  [[nodiscard]] bool is_hypothesis() const { return raises_doubt && !may_be_twin; }
 };
 
 /// The matches that contradict the map in groups, the greatest first. A group raises a doubt if
