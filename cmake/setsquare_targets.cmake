@@ -66,7 +66,8 @@ function(setsquare_set_temperature target temperature)
     target_link_libraries(${target} PRIVATE $<BUILD_INTERFACE:fmt::fmt>)
   endif()
   setsquare_set_optimisation(${target} ${temperature})
-  if(NOT SETSQUARE_PRECOMPILE_HEADERS)
+  # To write them takes longer than to parse them a few times.
+  if(NOT SETSQUARE_PRECOMPILE_HEADERS OR SETSQUARE_FEW_UNITS)
     return()
   endif()
   # Programs are else compiled differently from libraries, and cannot share the headers.
@@ -117,48 +118,90 @@ function(setsquare_set_unity target)
                                              UNITY_BUILD_BATCH_SIZE 40)
 endfunction()
 
-# setsquare_add_layer(NAME [NOT_INSTALLED] [COLD [HOT a.cpp ...]] [HEADERS a.hpp ...] [SOURCES a.cpp ...]
-#                     DEPENDS core ... [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
+# setsquare_add_layer(NAME [NOT_INSTALLED] [COLD [HOT a.cpp ...]] [UNIT name] [HEADERS a.hpp ...]
+#                     [SOURCES a.cpp ...] DEPENDS core ... [DEFINITIONS A=1 ...]
+#                     [PUBLIC_LIBRARIES ...] [PRIVATE_LIBRARIES ...])
 # One library per layer, target setsquare::NAME, of all sources below the folder NAME and of SOURCES,
 # which are made by the build. HEADERS, below the folder, are the public ones: they alone are
 # installed; NOT_INSTALLED: a part of our programs alone. DEPENDS names the layers that it may include.
-# HOT names the few sources of a cold layer where a profile finds the time.
+# HOT names the few sources of a cold layer where a profile finds the time. UNIT is the unit that they
+# are compiled in under SETSQUARE_FEW_UNITS, NAME where it is not said; hot ones of cold layers are in
+# the unit `tracking`.
 function(setsquare_add_layer name)
-  cmake_parse_arguments(arg "NOT_INSTALLED;COLD" ""
-                        "HOT;HEADERS;SOURCES;DEPENDS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "NOT_INSTALLED;COLD" "UNIT"
+                        "HOT;HEADERS;SOURCES;DEPENDS;DEFINITIONS;PUBLIC_LIBRARIES;PRIVATE_LIBRARIES" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp"
        "${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.hpp")
   list(TRANSFORM arg_HOT PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${name}/")
   list(REMOVE_ITEM sources ${arg_HOT})
-  add_library(setsquare_${name} STATIC ${sources} ${arg_SOURCES})
+  list(APPEND sources ${arg_SOURCES})
+  list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${name}/")
+  list(TRANSFORM arg_DEPENDS PREPEND setsquare::)
+  set(temperature hot)
+  if(arg_COLD)
+    set(temperature cold)
+  endif()
+  if(SETSQUARE_FEW_UNITS AND NOT arg_NOT_INSTALLED)
+    if(NOT arg_UNIT)
+      set(arg_UNIT ${name})
+    endif()
+    set(scope INTERFACE)
+    add_library(setsquare_${name} INTERFACE)
+    setsquare_add_to_unit(${arg_UNIT} ${temperature} SOURCES ${sources} DEFINITIONS ${arg_DEFINITIONS}
+                          LIBRARIES ${arg_PUBLIC_LIBRARIES} ${arg_PRIVATE_LIBRARIES})
+    if(arg_HOT)
+      setsquare_add_to_unit(tracking hot SOURCES ${arg_HOT} LIBRARIES ${arg_PRIVATE_LIBRARIES})
+    endif()
+    target_link_libraries(setsquare_${name} INTERFACE setsquare_units)
+  else()
+    set(scope PUBLIC)
+    add_library(setsquare_${name} STATIC ${sources})
+    target_compile_definitions(setsquare_${name} PRIVATE ${arg_DEFINITIONS})
+    target_link_libraries(setsquare_${name} PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
+    setsquare_set_unity(setsquare_${name})
+    setsquare_set_temperature(setsquare_${name} ${temperature})
+    if(arg_HOT)
+      # Options are a target's, not a source's, where many sources are compiled at once.
+      add_library(setsquare_${name}_hot OBJECT ${arg_HOT})
+      target_link_libraries(setsquare_${name}_hot PRIVATE ${arg_DEPENDS} ${arg_PRIVATE_LIBRARIES} setsquare_own_flags)
+      setsquare_set_unity(setsquare_${name}_hot)
+      setsquare_set_temperature(setsquare_${name}_hot hot)
+      target_sources(setsquare_${name} PRIVATE $<TARGET_OBJECTS:setsquare_${name}_hot>)
+    endif()
+  endif()
   add_library(setsquare::${name} ALIAS setsquare_${name})
   set_target_properties(setsquare_${name} PROPERTIES EXPORT_NAME ${name})
-  list(TRANSFORM arg_HEADERS PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/${name}/")
-  target_sources(setsquare_${name} PUBLIC FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES
-                                          ${arg_HEADERS})
-  target_compile_features(setsquare_${name} PUBLIC cxx_std_20)
-  list(TRANSFORM arg_DEPENDS PREPEND setsquare::)
-  target_link_libraries(
-    setsquare_${name}
-    PUBLIC ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES}
-    PRIVATE $<BUILD_INTERFACE:setsquare_own_flags> ${arg_PRIVATE_LIBRARIES})
-  setsquare_set_unity(setsquare_${name})
-  if(arg_HOT)
-    # Options are a target's, not a source's, where many sources are compiled at once.
-    add_library(setsquare_${name}_hot OBJECT ${arg_HOT})
-    target_link_libraries(setsquare_${name}_hot PRIVATE ${arg_DEPENDS} ${arg_PRIVATE_LIBRARIES} setsquare_own_flags)
-    setsquare_set_unity(setsquare_${name}_hot)
-    setsquare_set_temperature(setsquare_${name}_hot hot)
-    target_sources(setsquare_${name} PRIVATE $<TARGET_OBJECTS:setsquare_${name}_hot>)
-  endif()
-  if(arg_COLD)
-    setsquare_set_temperature(setsquare_${name} cold)
-  else()
-    setsquare_set_temperature(setsquare_${name} hot)
-  endif()
+  target_sources(setsquare_${name} ${scope} FILE_SET HEADERS BASE_DIRS "${PROJECT_SOURCE_DIR}" FILES
+                                            ${arg_HEADERS})
+  target_compile_features(setsquare_${name} ${scope} cxx_std_20)
+  target_link_libraries(setsquare_${name} ${scope} ${arg_DEPENDS} ${arg_PUBLIC_LIBRARIES})
   if(NOT arg_NOT_INSTALLED)
     set_property(GLOBAL APPEND PROPERTY SETSQUARE_LAYERS setsquare_${name})
   endif()
+endfunction()
+
+# setsquare_add_to_unit(UNIT hot|cold SOURCES ... [DEFINITIONS ...] [LIBRARIES ...])
+# Under SETSQUARE_FEW_UNITS: the sources of several layers are one unit of the compiler, and all units
+# are the library setsquare_units.
+function(setsquare_add_to_unit unit temperature)
+  cmake_parse_arguments(arg "" "" "SOURCES;DEFINITIONS;LIBRARIES" ${ARGN})
+  set(objects setsquare_${temperature}_units)
+  if(NOT TARGET setsquare_units)
+    add_library(setsquare_units STATIC)
+  endif()
+  if(NOT TARGET ${objects})
+    add_library(${objects} OBJECT)
+    set_target_properties(${objects} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    target_include_directories(${objects} PRIVATE "${PROJECT_SOURCE_DIR}")
+    target_link_libraries(${objects} PRIVATE Eigen3::Eigen Threads::Threads setsquare_own_flags)
+    setsquare_set_optimisation(${objects} ${temperature})
+    target_sources(setsquare_units PRIVATE $<TARGET_OBJECTS:${objects}>)
+  endif()
+  set_source_files_properties(${arg_SOURCES} PROPERTIES UNITY_GROUP ${unit})
+  target_sources(${objects} PRIVATE ${arg_SOURCES})
+  target_compile_definitions(${objects} PRIVATE ${arg_DEFINITIONS})
+  target_link_libraries(${objects} PRIVATE ${arg_LIBRARIES})
+  target_link_libraries(setsquare_units PUBLIC ${arg_LIBRARIES})
 endfunction()
 
 # setsquare_add_test(NAME [SOURCES a_test.cpp ...] LAYERS matching ... [LIBRARIES ...] [LONG Suite.* ...])

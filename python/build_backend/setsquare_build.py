@@ -53,7 +53,7 @@ def build_extension(settings):
     if not (folder / "CMakeCache.txt").exists():
         configure += ["-DCMAKE_BUILD_TYPE=Release", "-DSETSQUARE_BUILD_TESTS=OFF",
                       "-DSETSQUARE_BUILD_APPS=OFF", "-DSETSQUARE_INSTALL=OFF",
-                      "-DSETSQUARE_WARNINGS=OFF"]
+                      "-DSETSQUARE_WARNINGS=OFF", "-DSETSQUARE_FEW_UNITS=ON"]
         # Make compiles layer after layer, Ninja all at once.
         if "CMAKE_GENERATOR" not in os.environ and shutil.which("ninja"):
             configure += ["-G", "Ninja"]

@@ -56,9 +56,9 @@ struct Factors {
 };
 
 /// In halves.
-double sum_of(const double* terms, int size) {
+double sum_of_terms(const double* terms, int size) {
   if (size == 1) return terms[0];
-  return sum_of(terms, size / 2) + sum_of(terms + size / 2, size - size / 2);
+  return sum_of_terms(terms, size / 2) + sum_of_terms(terms + size / 2, size - size / 2);
 }
 
 /// By twos.
@@ -80,7 +80,7 @@ Column<kSize> solution(const Factors<kSize>& factors, Column<kSize> x) {
   for (int k = 0; k < kSize; ++k) std::swap(x[k], x[factors.swapped_with[k]]);
   for (int i = 1; i < kSize; ++i) {
     for (int j = 0; j < i; ++j) terms[j] = A(i, j) * x[j];
-    x[i] -= sum_of(terms.data(), i);
+    x[i] -= sum_of_terms(terms.data(), i);
   }
   // What nothing determines does not move.
   for (int k = 0; k < kSize; ++k) {

@@ -23,7 +23,7 @@ double belief_of(const HeadingEvidence& keyframe) {
 constexpr auto kNoFrame = static_cast<std::size_t>(-1);
 
 /// The keyframes between two changes of the trace.
-struct Piece {
+struct SteadyPiece {
   std::size_t begin = 0;
   std::size_t end = 0;
   double first_rad = 0.0;      ///< Offset at its first keyframe ...
@@ -33,10 +33,10 @@ struct Piece {
   bool tells = false;  ///< Whether its support suffices to determine its frame.
 };
 
-std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& keyframes,
-                                          const HeadingTrace& trace,
-                                          const HeadingTraceParams& params) {
-  std::vector<Piece> pieces;
+std::vector<SteadyPiece> pieces_between_changes(const std::vector<HeadingEvidence>& keyframes,
+                                                const HeadingTrace& trace,
+                                                const HeadingTraceParams& params) {
+  std::vector<SteadyPiece> pieces;
   for (std::size_t k = 0; k < keyframes.size(); ++k) {
     if (k == 0 || trace.is_change[k])
       pieces.push_back({.begin = k, .first_rad = trace.offset_rad[k]});
@@ -49,21 +49,23 @@ std::vector<Piece> pieces_between_changes(const std::vector<HeadingEvidence>& ke
   return pieces;
 }
 
-void judge_support(std::vector<Piece>& pieces, const HeadingFramesParams& params) {
+void judge_support(std::vector<SteadyPiece>& pieces, const HeadingFramesParams& params) {
   bool any_tells = false;
-  for (Piece& piece : pieces) {
+  for (SteadyPiece& piece : pieces) {
     piece.tells =
         piece.support >= std::max(params.min_support, params.min_share * piece.num_keyframes);
     any_tells = any_tells || piece.tells;
   }
   if (any_tells || pieces.empty()) return;
-  const auto has_less = [](const Piece& a, const Piece& b) { return a.support < b.support; };
+  const auto has_less = [](const SteadyPiece& a, const SteadyPiece& b) {
+    return a.support < b.support;
+  };
   std::max_element(pieces.begin(), pieces.end(), has_less)->tells = true;
 }
 
 /// True of an excursion: after the piece the walls' offset is what it was before. Two slips do not
 /// make up for each other; an oblique wall, seen for a while, does that.
-bool is_soon_undone(const std::vector<Piece>& pieces,
+bool is_soon_undone(const std::vector<SteadyPiece>& pieces,
                     std::size_t p,
                     double period_rad,
                     const HeadingFramesParams& params) {
@@ -132,7 +134,7 @@ class PieceChain {
   PieceChain(const HeadingTrace& trace, double period_rad, const HeadingFramesParams& params)
       : trace_(trace), period_rad_(period_rad), params_(params) {}
 
-  void add(const Piece& piece, bool is_no_slip, HeadingFrames& found) {
+  void add(const SteadyPiece& piece, bool is_no_slip, HeadingFrames& found) {
     const std::size_t before = std::exchange(frame_, kNoFrame);
     double step_rad = 0.0;
     if (piece.tells) {
@@ -181,7 +183,7 @@ HeadingFrames find_heading_frames(const std::vector<HeadingEvidence>& keyframes,
                                   const HeadingTraceParams& trace_params,
                                   const HeadingFramesParams& params) {
   const double period_rad = trace_params.period_rad;
-  std::vector<Piece> pieces = pieces_between_changes(keyframes, trace, trace_params);
+  std::vector<SteadyPiece> pieces = pieces_between_changes(keyframes, trace, trace_params);
   judge_support(pieces, params);
   HeadingFrames found{.frames = {},
                       .drift_rad = std::vector<double>(keyframes.size()),

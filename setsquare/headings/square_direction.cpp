@@ -15,26 +15,27 @@
 namespace setsquare {
 namespace {
 
-constexpr std::size_t kNumBins = 180;  // Of the density: 0.5 deg each.
-constexpr double kBin_rad = kQuarterTurn / static_cast<double>(kNumBins);
+constexpr std::size_t kNumDensityBins = 180;  // Of the density: 0.5 deg each.
+constexpr double kBin_rad = kQuarterTurn / static_cast<double>(kNumDensityBins);
 
 /// Density of the rotations that lay a piece along an axis, modulo 90 deg, one value per bin. A
 /// piece counts by the root of its length, spread by a normal curve as wide as it is uncertain.
 std::vector<double> direction_density(const std::vector<StraightPiece>& pieces,
                                       const SquareDirectionParams& params) {
-  std::vector<double> density(kNumBins, 0.0);
+  std::vector<double> density(kNumDensityBins, 0.0);
   for (const StraightPiece& piece : pieces) {
     const double width_rad = std::sqrt(piece_variance_rad2(piece, params) +
                                        params.density_width_rad * params.density_width_rad);
     const double height = std::sqrt(piece.length_m) / width_rad;
     const double center = wrap_to_period(-piece.direction_rad, kQuarterTurn) / kBin_rad - 0.5;
-    constexpr long kMaxReach = static_cast<long>(kNumBins) / 2 - 1;
+    constexpr long kMaxReach = static_cast<long>(kNumDensityBins) / 2 - 1;
     const long reach = static_cast<long>(
         std::min(3.0 * width_rad / kBin_rad + 1.0, static_cast<double>(kMaxReach)));
     const long nearest = std::lround(center);
     for (long k = nearest - reach; k <= nearest + reach; ++k) {
       const double z = (static_cast<double>(k) - center) * kBin_rad / width_rad;
-      const auto bin = static_cast<std::size_t>(k + 2 * static_cast<long>(kNumBins)) % kNumBins;
+      const auto bin =
+          static_cast<std::size_t>(k + 2 * static_cast<long>(kNumDensityBins)) % kNumDensityBins;
       density[bin] += height * std::exp(-0.5 * z * z);
     }
   }

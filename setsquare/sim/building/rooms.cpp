@@ -13,7 +13,7 @@ namespace setsquare {
 namespace {
 
 /// A stretch of the row between two walls, in the row's frame.
-struct Stretch {
+struct RowStretch {
   double start_m;
   double end_m;
   double thickness_m;  ///< Of the wall towards the corridor.
@@ -25,7 +25,7 @@ Pose2 wall_place(const RoomRow& row, double x_m) {
   return row.T_map_row * Pose2{x_m, 0.0, 0.5 * kPi};
 }
 
-double door_position(const Stretch& stretch, double door_width_m, Random& random) {
+double door_position(const RowStretch& stretch, double door_width_m, Random& random) {
   const double margin = 0.5 * door_width_m + 0.12;
   const double low = stretch.start_m + margin;
   const double high = stretch.end_m - margin;
@@ -49,7 +49,7 @@ bool is_solid(const BuildingSketch& sketch,
 /// Doors that stay closed, niches, or nothing.
 void add_closed_front(BuildingSketch& sketch,
                       const RoomRow& row,
-                      const Stretch& stretch,
+                      const RowStretch& stretch,
                       Random& random) {
   if (random.chance(row.bare_share)) return;
   const double door_width = random.uniform(0.8, 1.0);
@@ -69,7 +69,7 @@ void add_closed_front(BuildingSketch& sketch,
 /// Windows in the wall opposite to the door, irregular.
 void add_outer_windows(BuildingSketch& sketch,
                        const RoomRow& row,
-                       const Stretch& stretch,
+                       const RowStretch& stretch,
                        double outer_y_m,
                        Random& random) {
   double x = stretch.start_m + random.uniform(0.3, 0.9);
@@ -85,7 +85,7 @@ void add_outer_windows(BuildingSketch& sketch,
 
 Doorway add_open_door(BuildingSketch& sketch,
                       const RoomRow& row,
-                      const Stretch& stretch,
+                      const RowStretch& stretch,
                       Random& random) {
   const double width = random.uniform(0.88, 1.0);
   const double x = door_position(stretch, width, random);
@@ -104,7 +104,7 @@ RoomUse use_of_room(Random& random) {
 /// A room with one door, or two where it is wide, or glass towards the corridor.
 Room add_open_room(BuildingSketch& sketch,
                    const RoomRow& row,
-                   const Stretch& stretch,
+                   const RowStretch& stretch,
                    const ConvexPolygon& outline,
                    double outer_y_m,
                    Random& random) {
@@ -113,9 +113,9 @@ Room add_open_room(BuildingSketch& sketch,
   const bool has_two_doors = stretch.width_m() > 4.6 && random.chance(0.6);
   const bool has_glass = !has_two_doors && stretch.width_m() > 3.6 && random.chance(0.15);
   const double middle = stretch.start_m + random.uniform(0.4, 0.6) * stretch.width_m();
-  Stretch first = stretch;
+  RowStretch first = stretch;
   if (has_two_doors || has_glass) first.end_m = middle;
-  Stretch second = stretch;
+  RowStretch second = stretch;
   second.start_m = middle;
   room.doorways.push_back(add_open_door(sketch, row, first, random));
   if (has_two_doors) room.doorways.push_back(add_open_door(sketch, row, second, random));
@@ -161,7 +161,7 @@ std::vector<Room> add_room_row(BuildingSketch& sketch, const RoomRow& row, Rando
     const double new_width = random.uniform(row.min_width_m, row.max_width_m);
     if (!is_copy) width = new_width;
     if (x + width > row.length_m - 0.1) return rooms;
-    const Stretch stretch{x, x + width, thickness};
+    const RowStretch stretch{x, x + width, thickness};
     const double depth = random.chance(0.8) ? row.depth_m : row.depth_m * random.uniform(0.6, 0.9);
     const double outer_y = thickness + depth;
     const ConvexPolygon outline =

@@ -19,12 +19,12 @@ constexpr double kSlack = 1e-6;     // Of a cell: a segment along an edge belong
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The part of a ray inside a box: [enter, leave], empty where enter > leave.
-struct Interval {
+struct RangeInterval {
   double enter_m;
   double leave_m;
 };
 
-void clip(double origin_m, double direction, double low_m, double high_m, Interval& part) {
+void clip(double origin_m, double direction, double low_m, double high_m, RangeInterval& part) {
   if (direction == 0.0) {
     if (origin_m < low_m || origin_m > high_m) part.leave_m = -kInfinity;
     return;
@@ -141,7 +141,7 @@ std::optional<SegmentHit> SegmentGrid::cast(const Ray& ray,
   if (entries_.empty()) return std::nullopt;
   const Eigen::Vector2d origin = ray.origin_m - corner_m_;
   const Eigen::Vector2d& direction = ray.direction;
-  Interval inside{from_m, max_range_m};
+  RangeInterval inside{from_m, max_range_m};
   clip(origin.x(), direction.x(), 0.0, static_cast<double>(num_columns_) * cell_m_, inside);
   clip(origin.y(), direction.y(), 0.0, static_cast<double>(num_rows_) * cell_m_, inside);
   if (!(inside.enter_m <= inside.leave_m)) return std::nullopt;
