@@ -6,6 +6,7 @@
 #include <cmath>
 #include <Eigen/LU>
 
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/graph/node_sets.hpp"
 
 namespace setsquare {
@@ -106,7 +107,7 @@ std::vector<std::size_t> claims_of(const PoseGraph& graph,
   for (std::size_t k = 0; k < terms.size(); ++k) {
     if (graph.constraints[k].kind == ConstraintKind::kLoopClosure) closures.push_back(k);
   }
-  std::ranges::stable_sort(closures, {}, high_way_m);
+  sort_by(closures, high_way_m);
   NodeSets sets(terms.size());
   for (std::size_t i = 0; i < closures.size(); ++i) {
     for (std::size_t j = i; j-- > 0;) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/graph/dead_reckoning.hpp"
 #include "setsquare/graph/linear_pose_graph.hpp"
 #include "setsquare/graph/node_sets.hpp"
@@ -42,9 +43,7 @@ std::vector<ClosureGroup> group_closures(const PoseGraph& graph,
   for (std::size_t k = 0; k < graph.constraints.size(); ++k) {
     if (graph.constraints[k].kind == ConstraintKind::kLoopClosure) order.push_back(k);
   }
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return groups[a] < groups[b];
-  });
+  sort_by(order, [&](std::size_t k) { return groups[k]; });
   std::vector<ClosureGroup> result;
   for (std::size_t k = 0; k < order.size(); ++k) {
     if (k == 0 || groups[order[k]] != groups[order[k - 1]]) result.emplace_back();

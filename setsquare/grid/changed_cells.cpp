@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 
@@ -119,7 +120,7 @@ std::vector<ChangedPlace> ChangedCells::places(const CellCounts& counts,
     place.place_m = T_map_grid * Eigen::Vector2d(sum_m / static_cast<double>(cells.size()));
     if (place.num_cells >= params_.min_cells) places.push_back(place);
   }
-  std::ranges::stable_sort(places, std::ranges::greater{}, &ChangedPlace::num_cells);
+  sort_by_greatest(places, &ChangedPlace::num_cells);
   return places;
 }
 

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "setsquare/core/sort_by.hpp"
+
 namespace setsquare {
 namespace {
 
@@ -35,9 +37,7 @@ std::vector<CurvePeak> highest_peaks(std::span<const double> curve,
   for (std::size_t k = 0; k < size; ++k) {
     if (is_local_maximum(curve, k)) order.push_back(k);
   }
-  std::stable_sort(order.begin(), order.end(), [&curve](std::size_t a, std::size_t b) {
-    return curve[a] > curve[b];
-  });
+  sort_by_greatest(order, [&curve](std::size_t k) { return curve[k]; });
   const double sum = std::accumulate(curve.begin(), curve.end(), 0.0);
   std::vector<std::size_t> chosen;
   std::vector<CurvePeak> peaks;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 namespace {
@@ -144,7 +145,7 @@ std::vector<DoubtedTurn> without_settled(std::vector<DoubtedTurn> turns,
 }
 
 std::vector<DoubtedTurn> distinct_turns(std::vector<DoubtedTurn> turns) {
-  std::ranges::stable_sort(turns, {}, &DoubtedTurn::from);
+  sort_by(turns, &DoubtedTurn::from);
   std::vector<DoubtedTurn> distinct;
   for (const DoubtedTurn& turn : turns) {
     if (distinct.empty() || turn.from >= distinct.back().to) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 namespace {
@@ -109,9 +110,7 @@ std::size_t frame_at(double offset_rad,
 /// The main frame first and at 0.
 void rank(std::vector<HeadingFrame>& frames, double period_rad, std::vector<double>& drift_rad) {
   if (frames.empty()) frames.push_back({});
-  std::stable_sort(frames.begin(), frames.end(), [](const HeadingFrame& a, const HeadingFrame& b) {
-    return a.support > b.support;
-  });
+  sort_by_greatest(frames, &HeadingFrame::support);
   const double main_rad = frames.front().offset_rad;
   for (HeadingFrame& frame : frames) {
     frame.offset_rad = wrap_to_period(frame.offset_rad - main_rad, period_rad);

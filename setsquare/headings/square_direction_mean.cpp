@@ -9,6 +9,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/robust_weight.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 namespace {
@@ -101,9 +102,7 @@ std::vector<std::size_t> longest(const std::vector<StraightPiece>& pieces, std::
   std::vector<std::size_t> order(pieces.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   if (order.size() <= max_num) return order;
-  std::stable_sort(order.begin(), order.end(), [&pieces](std::size_t a, std::size_t b) {
-    return pieces[a].length_m > pieces[b].length_m;
-  });
+  sort_by_greatest(order, [&pieces](std::size_t k) { return pieces[k].length_m; });
   order.resize(max_num);
   std::sort(order.begin(), order.end());
   return order;

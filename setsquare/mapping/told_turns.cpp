@@ -9,6 +9,7 @@
 
 #include "setsquare/core/angle.hpp"
 #include "setsquare/core/median.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 namespace {
@@ -47,8 +48,7 @@ std::vector<ToldTurn> told_turns(const FusedHeadings& headings,
     const double fused_rad = headings.drift_rad[turn.to] - headings.drift_rad[turn.from];
     by_number.push_back({number, {turn, wrap_to_pi(fused_rad + median(std::move(beyond_rad)))}});
   }
-  std::ranges::stable_sort(
-      by_number, std::ranges::greater{}, [](const auto& entry) { return entry.first; });
+  sort_by_greatest(by_number, [](const auto& entry) { return entry.first; });
   std::vector<ToldTurn> told;
   for (const auto& [number, turn] : by_number) {
     if (told.size() < kMostTold) told.push_back(turn);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/matching/keep_best.hpp"
 #include "setsquare/matching/trace.hpp"
 
@@ -52,9 +53,7 @@ Candidate refined(const AlignedScan& reference,
 }
 
 void sort_best_first(std::vector<Candidate>& candidates) {
-  std::stable_sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
-    return a.score > b.score;
-  });
+  sort_by_greatest(candidates, &Candidate::score);
 }
 
 bool is_new(const Candidate& candidate,

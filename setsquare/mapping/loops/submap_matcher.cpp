@@ -8,6 +8,7 @@
 
 #include "setsquare/core/damped_step.hpp"
 #include "setsquare/core/parameter_checks.hpp"
+#include "setsquare/core/sort_by.hpp"
 
 namespace setsquare {
 namespace {
@@ -167,8 +168,7 @@ std::vector<SubmapFitBothWays> caught(const std::vector<Pose2>& starts,
   std::erase_if(fits, [&](const SubmapFitBothWays& fit) {
     return !comparison.is_in_window(fit.T_reference_current);
   });
-  std::stable_sort(
-      fits.begin(), fits.end(), [](const auto& a, const auto& b) { return a.score > b.score; });
+  sort_by_greatest(fits, &SubmapFitBothWays::score);
   return fits;
 }
 
