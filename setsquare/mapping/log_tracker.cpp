@@ -113,8 +113,8 @@ std::unique_ptr<TrackingAgain> LogTracker::take_tracking_again() {
   if (!has_other_scans) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
   if (inputs.empty()) return nullptr;
   LogTracker again(params_);
-  again.sweeps_ = sweeps_;
-  again.robot_parts_ = robot_parts_;
+  again.sweeps_ = SweepSearch(sweeps_);
+  again.robot_parts_ = RobotPartSearch(robot_parts_);
   if (!has_other_scans) {
     again.tracker_.judge_odometry_by(tracker_.judged_odometry());
     again.unjudged_.close();
