@@ -56,7 +56,7 @@ double distance_of(const SeenByViews& seen) {
 
 }  // namespace
 
-std::vector<SeenByViews> seen_by_views(std::span<const MapView> views,
+std::vector<SeenByViews> seen_by_views(const MapViews& views,
                                        const PreparedScan& scan,
                                        std::span<const VerifiedPlace> places) {
   std::vector<SeenByViews> seen;
