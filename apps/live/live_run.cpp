@@ -166,7 +166,7 @@ void LiveRun::make_session() {
           Pose2{options_.start[0], options_.start[1], wrap_to_pi(rad_from_deg(options_.start[2]))};
     }
     localising_ = std::make_unique<LocalizingSession>(
-        name_, read_grid_to_localise_in(options_.known_map), options, watcher());
+        name_, read_map_to_localise_in(options_.known_map), options, watcher());
     session_ = localising_.get();
     return;
   }

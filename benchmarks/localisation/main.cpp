@@ -199,21 +199,39 @@ void follow(const std::string& log_path, double every_m, double way_m) {
       100.0 * share(num_beyond, errors_m.size()));
 }
 
+bool is_right(const KnownPlace& place, const VerifiedPlace& found) {
+  const Pose2 T_map_sensor = place.map.T_map_grid() * found.T_grid_sensor;
+  return place.T_map_sensor && is_right(T_map_sensor, *place.T_map_sensor);
+}
+
 /// A line for each scan, then one for each of its places: whether it is right, whether scans of the
-/// map tell of it, and its features, those by the scans last.
+/// map tell of it, and its features, those by the scans last. Then a line for the wider search, and
+/// for each of its places whether it is right, its fit and score, and its rank by the map's scans.
 void print_examples(const KnownPlace& place) {
-  std::printf("scan\n");
+  const LocalisationParams params;
   const SoughtScan sought = sought_scan(place.scan);
-  const std::vector<VerifiedPlace> places = search_places(place.map, sought);
+  PlaceSearch search(
+      place.map, sought, params.search.num_rotations, params.search_again.num_proposals);
+  std::printf("scan\n");
+  const std::vector<VerifiedPlace> places = search.best(params.search);
   const std::vector<SeenByViews> seen = seen_by_views(place.map.views(), sought.prepared, places);
   const ViewSharpness sharpness = view_sharpness(seen);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const Pose2 T_map_sensor = place.map.T_map_grid() * places[i].T_grid_sensor;
-    const bool right = place.T_map_sensor && is_right(T_map_sensor, *place.T_map_sensor);
-    std::printf("%d %d", right ? 1 : 0, seen[i].num_views > 0 ? 1 : 0);
+    std::printf("%d %d", is_right(place, places[i]) ? 1 : 0, seen[i].num_views > 0 ? 1 : 0);
     for (const double feature : place_features(places[i])) std::printf(" %.6g", feature);
     for (const double feature : view_features(seen[i], sharpness)) std::printf(" %.6g", feature);
     std::printf("\n");
+  }
+  std::printf("wider\n");
+  const std::vector<VerifiedPlace> wider = search.best(params.search_again);
+  const std::vector<double> ranks =
+      ranks_by_views(wider, seen_by_views(place.map.views(), sought.prepared, wider));
+  for (std::size_t i = 0; i < wider.size(); ++i) {
+    std::printf("%d %.6g %.6g %.6g\n",
+                is_right(place, wider[i]) ? 1 : 0,
+                wider[i].fit,
+                wider[i].score,
+                ranks[i]);
   }
 }
 

@@ -34,7 +34,9 @@ PyKnownMap known_map_from(const py::object& map) {
     return without_gil([&] { return std::make_shared<KnownMap>(mapped.map()); });
   }
   const std::string path = path_from(map);
-  return without_gil([&] { return std::make_shared<KnownMap>(read_grid_to_localise_in(path)); });
+  // pybind11 holds nothing that is const; nothing of a KnownMap can be changed anyway.
+  return without_gil(
+      [&] { return std::const_pointer_cast<KnownMap>(read_map_to_localise_in(path).known); });
 }
 
 using PyLocalizer = Guarded<Localizer>;
@@ -141,9 +143,8 @@ void bind_localisation(py::module_& module) {
   py::class_<KnownMap, PyKnownMap>(module, "KnownMap", R"(A map made ready to find scans in it.
 
 map: an OccupancyGrid, a Map, or a path: a folder that Map.save or `setsquare map` wrote, or the
-map.yaml of any program (nav2). A Map's own scans tell places apart that are alike in a grid
-(locate). Made once, shared by any number of threads. Raises FileError,
-FormatError.)")
+map.yaml of any program (nav2). A Map's own scans, also those of a folder, tell places apart that are
+alike in a grid. Made once, shared by any number of threads. Raises FileError, FormatError.)")
       .def(py::init(&known_map_from), py::arg("map"))
       .def_property_readonly(
           "is_empty", &KnownMap::is_empty, "Whether it has no walls or no space.");

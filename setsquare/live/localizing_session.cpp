@@ -42,20 +42,21 @@ bool is_near(const OccupancyGrid& grid, const Pose2& T_map_base) {
 }  // namespace
 
 LocalizingSession::LocalizingSession(std::string name,
-                                     OccupancyGrid grid,
+                                     MapToLocaliseIn map,
                                      const Options& options,
                                      LiveWatcher watcher)
     : LiveSession(options.localising.uses_odometry, std::move(watcher)),
       name_(std::move(name)),
       options_(options),
-      known_map_(std::make_shared<const KnownMap>(grid)),
+      known_map_(std::move(map.known)),
       chosen_(options.localising.log.sensor),
       way_(kLongestWay) {
   if (names_several(options.localising.log.sensor)) {
     throw ParameterError("sensor", "scans of one scanner are localised");
   }
   require_something_to_find(*known_map_);
-  map_ = std::make_shared<const LiveMap>(LiveMap{.number = 1, .map = {}, .grid = std::move(grid)});
+  map_ =
+      std::make_shared<const LiveMap>(LiveMap{.number = 1, .map = {}, .grid = std::move(map.grid)});
   localizer_ = made_localizer();
 }
 

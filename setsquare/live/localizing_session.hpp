@@ -9,7 +9,6 @@
 #include <optional>
 #include <string>
 
-#include "setsquare/grid/occupancy_grid.hpp"
 #include "setsquare/live/driven_way.hpp"
 #include "setsquare/live/live_localizer.hpp"
 #include "setsquare/live/live_session.hpp"
@@ -29,9 +28,9 @@ class LocalizingSession final : public LiveSession {
     LiveLocalizer::Behind behind = {};
   };
 
-  /// `name`: of the log. `grid`: of the map (read_grid_to_localise_in). Throws ParameterError.
+  /// `name`: of the log. `map`: read_map_to_localise_in(). Throws ParameterError.
   LocalizingSession(std::string name,
-                    OccupancyGrid grid,
+                    MapToLocaliseIn map,
                     const Options& options,
                     LiveWatcher watcher);
 

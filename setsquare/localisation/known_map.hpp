@@ -3,7 +3,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/grid/occupancy_grid.hpp"
@@ -16,17 +15,20 @@ namespace setsquare {
 
 struct Map;  // setsquare/map/map.hpp
 
-/// A map made ready to find scans in it: once, in some tenths of a second for a building, and never
-/// changed.
+/// A map made ready to find scans in it: once, in some tenths of a second for a building. Any
+/// number of threads may use it.
 class KnownMap {
  public:
   /// Of an occupancy grid, of whichever program (read_map_pgm_yaml).
   explicit KnownMap(const OccupancyGrid& grid);
   /// The same with scans of which the grid was made: what single walls look like from single places
-  /// tells apart what is alike in a grid. They are not needed any longer.
-  KnownMap(const OccupancyGrid& grid, std::span<const PlacedScan> scans, int num_threads = 1);
-  /// Of a map's grid and of its keyframes' scans.
+  /// tells apart what is alike in a grid. They are copied, and looked at when a place is in doubt.
+  KnownMap(const OccupancyGrid& grid, std::span<const PlacedScan> scans);
+  /// Of a map's grid and of its keyframes' scans, whose memory it shares until it has looked at
+  /// them.
   explicit KnownMap(const Map& map, int num_threads = 1);
+  /// The same where the map's grid is at hand.
+  KnownMap(const OccupancyGrid& grid, const Map& map);
 
   /// The pose of the grid, in whose frame places are searched.
   [[nodiscard]] const Pose2& T_map_grid() const { return T_map_grid_; }
@@ -35,7 +37,7 @@ class KnownMap {
   /// With which scans are correlated.
   [[nodiscard]] const MapCorrelation& correlation() const { return correlation_; }
   /// What its scans saw, where it has any; in the grid's frame.
-  [[nodiscard]] const std::vector<MapView>& views() const { return views_; }
+  [[nodiscard]] const MapViews& views() const { return views_; }
   /// Whether it has walls and free space at all.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
@@ -43,7 +45,7 @@ class KnownMap {
   Pose2 T_map_grid_;
   WallDistance walls_;
   MapCorrelation correlation_;
-  std::vector<MapView> views_;
+  MapViews views_;
   bool is_empty_ = true;
 };
 

@@ -30,7 +30,7 @@ struct LocalisationParams {
   double min_probability = 0.97;           ///< Of one place: localised.
   double min_probability_at_once = 0.985;  ///< The same where one scan is all there is.
   /// The same where the map's own scans tell it (KnownMap::views).
-  double min_probability_by_views = 0.99;
+  double min_probability_by_views = 0.97;
   double min_in_map = 0.5;  ///< Of all places together: ambiguous, else lost.
   /// Scans speak for or against places, and are searched for while the place is not known, after
   /// this way or turn: nearer ones tell the same again.

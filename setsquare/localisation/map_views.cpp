@@ -3,13 +3,14 @@
 #include "setsquare/localisation/map_views.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
-#include "setsquare/core/parallel.hpp"
 #include "setsquare/localisation/wall_step.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/sample_comparison.hpp"
@@ -26,29 +27,29 @@ constexpr float kTight_m = 0.04F;
 constexpr float kLoose_m = 0.15F;
 
 /// The views nearest to a place, in their order.
-std::vector<const MapView*> views_near(std::span<const MapView> views, const Pose2& T_grid_sensor) {
+std::vector<std::size_t> views_near(const MapViews& views, const Pose2& T_grid_sensor) {
   struct View {
-    const MapView* view;
+    std::size_t index;
     double distance_m;
   };
   std::vector<View> near;
-  for (const MapView& view : views) {
+  for (std::size_t i = 0; i < views.size(); ++i) {
     const double distance_m =
-        (view.T_grid_sensor.translation() - T_grid_sensor.translation()).norm();
-    if (distance_m <= kReach_m) near.push_back({&view, distance_m});
+        (views.T_grid_sensor(i).translation() - T_grid_sensor.translation()).norm();
+    if (distance_m <= kReach_m) near.push_back({i, distance_m});
   }
   if (near.size() > kMostNear) {
     std::ranges::stable_sort(near, std::ranges::less{}, &View::distance_m);
     near.resize(kMostNear);
-    std::ranges::sort(near, std::ranges::less{}, &View::view);
+    std::ranges::sort(near, std::ranges::less{}, &View::index);
   }
-  std::vector<const MapView*> nearest;
-  for (const View& view : near) nearest.push_back(view.view);
+  std::vector<std::size_t> nearest;
+  for (const View& view : near) nearest.push_back(view.index);
   return nearest;
 }
 
 /// Of these the views that agree most with the scan there, the best first.
-std::vector<const MapView*> views_about(std::span<const MapView> views,
+std::vector<const MapView*> views_about(const MapViews& views,
                                         const PreparedScan& scan,
                                         const Pose2& T_grid_sensor) {
   constexpr double kTolerance_m = 0.3;
@@ -57,11 +58,12 @@ std::vector<const MapView*> views_about(std::span<const MapView> views,
     double agreeing_m;
   };
   std::vector<View> near;
-  for (const MapView* view : views_near(views, T_grid_sensor)) {
-    const Pose2 T_view_scan = view->T_grid_sensor.inverse() * T_grid_sensor;
+  for (const std::size_t i : views_near(views, T_grid_sensor)) {
+    const MapView& view = views[i];
+    const Pose2 T_view_scan = view.T_grid_sensor.inverse() * T_grid_sensor;
     near.push_back(
-        {view,
-         align_one_way(view->image, scan.coarse, T_view_scan, kTolerance_m).evidence.agreeing_m});
+        {&view,
+         align_one_way(view.image, scan.coarse, T_view_scan, kTolerance_m).evidence.agreeing_m});
   }
   std::ranges::stable_sort(near, std::ranges::greater{}, &View::agreeing_m);
   std::vector<const MapView*> best;
@@ -148,20 +150,48 @@ void add_kinds(const SurfaceSamples& samples, std::span<const Met> met, SeenByVi
 
 }  // namespace
 
-std::vector<MapView> map_views(std::span<const PlacedScan> scans,
-                               const Pose2& T_map_grid,
-                               std::size_t num_threads) {
-  std::vector<MapView> views(scans.size());
-  run_in_parallel(scans.size(), num_threads, [&](std::size_t i) {
-    PreparedScan prepared = prepare(*scans[i].scan);
-    views[i] = {.T_grid_sensor = T_map_grid.inverse() * scans[i].T_map_sensor,
-                .image = prepared.image(),
-                .fine = std::move(prepared.fine)};
-  });
-  return views;
+struct MapViews::Slot {
+  std::once_flag once;
+  std::atomic<bool> is_made = false;
+  std::shared_ptr<const Scan> scan;  ///< Until the view is made.
+  MapView view;
+};
+
+MapViews::MapViews(std::span<const SharedScan> scans, const Pose2& T_map_grid)
+    : slots_(std::make_shared<std::vector<Slot>>(scans.size())) {
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].scan->validate();
+    Slot& slot = (*slots_)[i];
+    slot.scan = scans[i].scan;
+    slot.view.T_grid_sensor = T_map_grid.inverse() * scans[i].T_map_sensor;
+  }
 }
 
-SeenByViews seen_by_views(std::span<const MapView> views,
+std::size_t MapViews::size() const { return slots_ ? slots_->size() : 0; }
+
+const Pose2& MapViews::T_grid_sensor(std::size_t i) const {
+  return (*slots_)[i].view.T_grid_sensor;
+}
+
+const MapView& MapViews::operator[](std::size_t i) const {
+  Slot& slot = (*slots_)[i];
+  std::call_once(slot.once, [&] {
+    PreparedScan prepared = prepare(*slot.scan);
+    slot.view.image = prepared.image();
+    slot.view.fine = std::move(prepared.fine);
+    slot.scan.reset();
+    slot.is_made = true;
+  });
+  return slot.view;
+}
+
+std::size_t MapViews::num_made() const {
+  if (!slots_) return 0;
+  return static_cast<std::size_t>(
+      std::ranges::count_if(*slots_, [](const Slot& slot) { return slot.is_made.load(); }));
+}
+
+SeenByViews seen_by_views(const MapViews& views,
                           const PreparedScan& scan,
                           const Pose2& T_grid_sensor) {
   const std::vector<const MapView*> about = views_about(views, scan, T_grid_sensor);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,10 +20,34 @@ struct MapView {
   SurfaceSamples fine;  ///< Its samples, as PreparedScan::fine.
 };
 
-/// Of placed scans, in a grid's frame. Any number of threads gives the same.
-[[nodiscard]] std::vector<MapView> map_views(std::span<const PlacedScan> scans,
-                                             const Pose2& T_map_grid,
-                                             std::size_t num_threads = 1);
+/// The views of a map, each made when it is first asked for, and kept: a map that is never in doubt
+/// costs nothing. Any number of threads may ask. What was copied or moved shares its views.
+class MapViews {
+ public:
+  /// A scan that the views share until its view is made.
+  struct SharedScan {
+    std::shared_ptr<const Scan> scan;  ///< Not null.
+    Pose2 T_map_sensor;                ///< Where its sensor was in the map frame.
+  };
+
+  /// None.
+  MapViews() = default;
+  /// In the frame of a grid. Throws ParameterError where a scan's geometry is not valid.
+  MapViews(std::span<const SharedScan> scans, const Pose2& T_map_grid);
+
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  /// MapView::T_grid_sensor, for which no view is made.
+  [[nodiscard]] const Pose2& T_grid_sensor(std::size_t i) const;
+  /// The view, which is made now where it was not yet.
+  [[nodiscard]] const MapView& operator[](std::size_t i) const;
+  /// Views that were made so far.
+  [[nodiscard]] std::size_t num_made() const;
+
+ private:
+  struct Slot;
+  std::shared_ptr<std::vector<Slot>> slots_;
+};
 
 /// How a scan at a place falls on what the views about the place saw. All views together: a piece
 /// of wall that one of them saw is seen, and one through which one looked, and that none saw, is
@@ -42,7 +67,7 @@ struct SeenByViews {
 };
 
 /// Lays the scan onto the views about the place, at most the 80 nearest, and compares.
-[[nodiscard]] SeenByViews seen_by_views(std::span<const MapView> views,
+[[nodiscard]] SeenByViews seen_by_views(const MapViews& views,
                                         const PreparedScan& scan,
                                         const Pose2& T_grid_sensor);
 

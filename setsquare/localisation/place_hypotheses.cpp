@@ -55,6 +55,14 @@ void PlaceHypotheses::set_pose(const Pose2& T_map_base) {
   said_ = T_map_base;
 }
 
+void PlaceHypotheses::Hypothesis::hear(double said_log_odds, bool is_judged) {
+  if (!is_judged && said_log_odds > 0.0) {
+    said_log_odds = std::min(said_log_odds, kUnsure - unjudged_log_odds);
+    unjudged_log_odds += said_log_odds;
+  }
+  log_odds += said_log_odds;
+}
+
 void PlaceHypotheses::move(const TrackedPose& tracked) {
   const Pose2 step = T_odom_sensor_.inverse() * tracked.T_odom_sensor;
   const double way_m = step.translation().norm();
@@ -103,23 +111,29 @@ void PlaceHypotheses::weigh(const SoughtScan& sought, double weight, bool search
   if (places.empty()) return;
   const PlaceScale scale = place_scale(places, searches);
   std::vector<double> log_odds;
+  std::vector<SeenByViews> seen(places.size());
   if (searches && !map_->views().empty() && !is_certain()) {
-    log_odds = log_odds_by_views(places, seen_by_views(map_->views(), sought.prepared, places));
+    seen = seen_by_views(map_->views(), sought.prepared, places);
+    log_odds = log_odds_by_views(places, seen);
   } else {
     for (const VerifiedPlace& place : places) log_odds.push_back(place_log_odds(place, scale));
   }
+  const auto is_judged = [&](std::size_t i) {
+    return places[i].unjudged_share <= kMaxUnjudged || seen[i].num_views > 0;
+  };
   std::vector<Hypothesis> found;
   for (std::size_t i = num_before; i < places.size(); ++i) {
     if (log_odds[i] < kLeastLogOdds) continue;
     if (!is_another_place(places[i], log_odds[i], std::span(log_odds).first(num_before))) continue;
     Hypothesis hypothesis{.T_grid_odom = places[i].T_grid_sensor * T_odom_sensor_.inverse(),
                           .covariance = covariance_of(places[i])};
-    hypothesis.log_odds = log_odds_of_past(hypothesis) + weight * log_odds[i];
+    hypothesis.log_odds = log_odds_of_past(hypothesis);
+    hypothesis.hear(weight * log_odds[i], is_judged(i));
     found.push_back(hypothesis);
   }
   for (std::size_t i = 0; i < num_before; ++i) {
     Hypothesis& hypothesis = hypotheses_[i];
-    if (!is_outside_map(places[i])) hypothesis.log_odds += weight * log_odds[i];
+    if (!is_outside_map(places[i])) hypothesis.hear(weight * log_odds[i], is_judged(i));
     if (log_odds[i] <= 0.0) continue;
     fix(places[i], hypothesis);
     if (i == 0) {

@@ -39,9 +39,15 @@ class PlaceHypotheses {
   /// A place where the robot may be: where tracking's frame lies in the grid's.
   struct Hypothesis {
     Pose2 T_grid_odom;
-    double log_odds = 0.0;  ///< Against "elsewhere", of all scans so far.
+    double log_odds = 0.0;           ///< Against "elsewhere", of all scans so far.
+    double unjudged_log_odds = 0.0;  ///< Of these what scans said for it that the map cannot judge.
     /// Of the sensor's pose (x, y, theta) in the grid's frame.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+
+    /// A scan says something for or against it. All that the map cannot judge say no more for it
+    /// than one may (kUnsure): a corridor whose end is not mapped looks the same from its other
+    /// end, however often.
+    void hear(double said_log_odds, bool is_judged);
   };
 
   /// A scan that spoke for or against places.

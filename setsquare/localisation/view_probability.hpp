@@ -14,7 +14,7 @@
 namespace setsquare {
 
 /// As seen_by_views(), at each place.
-[[nodiscard]] std::vector<SeenByViews> seen_by_views(std::span<const MapView> views,
+[[nodiscard]] std::vector<SeenByViews> seen_by_views(const MapViews& views,
                                                      const PreparedScan& scan,
                                                      std::span<const VerifiedPlace> places);
 

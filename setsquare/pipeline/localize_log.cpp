@@ -12,15 +12,24 @@
 
 namespace setsquare {
 
-OccupancyGrid read_grid_to_localise_in(const std::string& path) {
+MapToLocaliseIn map_to_localise_in(OccupancyGrid grid) {
+  auto known = std::make_shared<const KnownMap>(grid);
+  return {std::move(grid), std::move(known)};
+}
+
+MapToLocaliseIn read_map_to_localise_in(const std::string& path) {
   namespace fs = std::filesystem;
   std::error_code error;
   const bool is_folder = fs::is_directory(path, error);
   if (is_folder ? fs::exists(map_file_at(path), error)
                 : fs::path(path).extension() == ".setsquare") {
-    return occupancy_grid(load_map_file(path).map);
+    const Map map = load_map_file(path).map;
+    OccupancyGrid grid = occupancy_grid(map);
+    auto known = std::make_shared<const KnownMap>(grid, map);
+    return {std::move(grid), std::move(known)};
   }
-  return read_map_pgm_yaml(is_folder ? (fs::path(path) / "map.yaml").string() : path);
+  return map_to_localise_in(
+      read_map_pgm_yaml(is_folder ? (fs::path(path) / "map.yaml").string() : path));
 }
 
 void count(const LocalisedPose& pose, LocalisationCounts& counts) {

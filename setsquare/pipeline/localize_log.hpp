@@ -16,9 +16,19 @@
 
 namespace setsquare {
 
-/// The map to find scans in: a map file, the folder that `setsquare map` wrote, or the map.yaml of
-/// any program (map_server, nav2). Throws FileError, FormatError.
-[[nodiscard]] OccupancyGrid read_grid_to_localise_in(const std::string& path);
+/// A map to find scans in.
+struct MapToLocaliseIn {
+  OccupancyGrid grid;                     ///< To be shown.
+  std::shared_ptr<const KnownMap> known;  ///< Never null.
+};
+
+/// By a grid alone.
+[[nodiscard]] MapToLocaliseIn map_to_localise_in(OccupancyGrid grid);
+
+/// Of a map file or the folder that `setsquare map` wrote, with the map's own scans
+/// (KnownMap::views); or the map.yaml of any program (map_server, nav2), by its grid alone. Throws
+/// FileError, FormatError.
+[[nodiscard]] MapToLocaliseIn read_map_to_localise_in(const std::string& path);
 
 /// How a log is followed.
 struct LocalizeLogOptions {

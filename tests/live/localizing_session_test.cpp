@@ -8,7 +8,9 @@
 #include <vector>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/io/map_file/map_file.hpp"
 #include "tests/live/room_log.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace setsquare::localizing_session_test {
 
@@ -18,9 +20,13 @@ class LocalizedRoom : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
     RoomLog log;
-    grid_ = std::make_unique<OccupancyGrid>(occupancy_grid(map_log(log, "room").map));
+    map_ = std::make_unique<Map>(map_log(log, "room").map);
+    grid_ = std::make_unique<OccupancyGrid>(occupancy_grid(*map_));
   }
-  static void TearDownTestSuite() { grid_.reset(); }
+  static void TearDownTestSuite() {
+    grid_.reset();
+    map_.reset();
+  }
 
   static RoomLog other_log(std::function<void(std::size_t)> before = {}) {
     return RoomLog(std::move(before), {{4.0, 3.0}, {2.0, 2.0}, {1.5, 7.0}, {3.0, 3.0}});
@@ -37,13 +43,14 @@ class LocalizedRoom : public ::testing::Test {
     EXPECT_LT(std::hypot(apart.x_m, apart.y_m), 0.05);
   }
 
+  static inline std::unique_ptr<Map> map_;
   static inline std::unique_ptr<OccupancyGrid> grid_;
 };
 
 TEST_F(LocalizedRoom, GivesWhatLocalizeLogGives) {
   RoomLog log = other_log();
   RoomLog same = other_log();
-  LocalizingSession session("other", *grid_, {}, {});
+  LocalizingSession session("other", map_to_localise_in(*grid_), {}, {});
   const LocalizedLog live = session.run(log);
   const LocalizedLog localized =
       localize_log(same, "other", std::make_shared<const KnownMap>(*grid_));
@@ -59,12 +66,33 @@ TEST_F(LocalizedRoom, GivesWhatLocalizeLogGives) {
   EXPECT_EQ(session.report().doing, "localised");
 }
 
+// Read from a file or its folder, the map has its own scans, as it has in the program that made it;
+// a map.yaml has none.
+TEST_F(LocalizedRoom, IsFoundByTheScansOfAMapFile) {
+  const testing::TemporaryFolder folder;
+  save_map_file(*map_, (folder.path() / kMapFileName).string());
+  const MapToLocaliseIn read = read_map_to_localise_in(folder.path().string());
+  EXPECT_EQ(read.known->views().size(), placed_keyframes(*map_).size());
+  EXPECT_EQ(read.known->views().num_made(), 0U);
+  EXPECT_TRUE(map_to_localise_in(*grid_).known->views().empty());
+  RoomLog log = other_log();
+  RoomLog same = other_log();
+  const LocalizedLog by_file = LocalizingSession("other", read, {}, {}).run(log);
+  EXPECT_GT(read.known->views().num_made(), 0U);
+  const LocalizedLog by_map = localize_log(same, "other", std::make_shared<const KnownMap>(*map_));
+  ASSERT_EQ(by_file.poses.size(), by_map.poses.size());
+  for (std::size_t i = 0; i < by_file.poses.size(); ++i) {
+    ASSERT_EQ(by_file.poses[i].probability, by_map.poses[i].probability) << i;
+    ASSERT_EQ(by_file.poses[i].T_map_base, by_map.poses[i].T_map_base) << i;
+  }
+}
+
 TEST_F(LocalizedRoom, TheWayIsToldAndAPosePerScan) {
   RoomLog log = other_log();
   std::size_t num_poses = 0;
   Trajectory way;
   LocalizingSession session("other",
-                            *grid_,
+                            map_to_localise_in(*grid_),
                             {.way_period_s = 1e-6, .keeps_poses = false},
                             {.on_pose = [&](const LogRecord&, const LivePose&) { ++num_poses; },
                              .on_way = [&](const Trajectory& told) { way = told; }});
@@ -83,9 +111,10 @@ TEST_F(LocalizedRoom, AResetForgetsWhereItWas) {
     if (scan == 60) running->reset();
   });
   LocalizingSession session(
-      "other", *grid_, {}, {.on_pose = [&](const LogRecord&, const LivePose& pose) {
-        poses.push_back(pose);
-      }});
+      "other",
+      map_to_localise_in(*grid_),
+      {},
+      {.on_pose = [&](const LogRecord&, const LivePose& pose) { poses.push_back(pose); }});
   running = &session;
   (void)session.run(log);
   EXPECT_FALSE(poses[60].is_placed);
@@ -99,7 +128,7 @@ TEST_F(LocalizedRoom, APoseThatIsSaidWronglyIsDropped) {
     if (scan != 40) return;
     EXPECT_TRUE(running->set_pose({2.0, 7.5, 1.0}));  // in the other wing
   });
-  LocalizingSession session("other", *grid_, {}, {});
+  LocalizingSession session("other", map_to_localise_in(*grid_), {}, {});
   running = &session;
   expect_end_as_unsaid(session.run(log).poses);
 }
@@ -119,7 +148,7 @@ TEST_F(LocalizedRoom, AfterAFloodOfPosesItIsWhereItIs) {
       }
     }
   });
-  LocalizingSession session("other", *grid_, {}, {});
+  LocalizingSession session("other", map_to_localise_in(*grid_), {}, {});
   running = &session;
   expect_end_as_unsaid(session.run(log).poses);
   EXPECT_GE(num_refused, 50U * 18);
@@ -127,10 +156,10 @@ TEST_F(LocalizedRoom, AfterAFloodOfPosesItIsWhereItIs) {
 
 TEST_F(LocalizedRoom, AMapWithoutWallsIsRefused) {
   const OccupancyGrid nothing({}, 0.05, 20, 20);
-  EXPECT_THROW(LocalizingSession("other", nothing, {}, {}), ParameterError);
+  EXPECT_THROW(LocalizingSession("other", map_to_localise_in(nothing), {}, {}), ParameterError);
   LocalizingSession::Options options;
   options.localising.log.sensor = "all";
-  EXPECT_THROW(LocalizingSession("other", *grid_, options, {}), ParameterError);
+  EXPECT_THROW(LocalizingSession("other", map_to_localise_in(*grid_), options, {}), ParameterError);
 }
 
 }  // namespace setsquare::localizing_session_test

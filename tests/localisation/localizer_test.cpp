@@ -172,4 +172,26 @@ TEST_F(MappedRoom, RefusesWhatIsNoScanOrNoPose) {
   EXPECT_THROW((void)localizer.add(scans_[0], Pose2{0.0, std::nan(""), 0.0}), ParameterError);
 }
 
+// Most of what the robot sees lies beyond what the map knows: each scan fits, and none can tell
+// that it is not another place of that kind, however often it is asked.
+TEST(PartlyMappedRoom, ManyScansThatTheMapCannotJudgeMakeNoPlaceSure) {
+  auto generator = testing::make_generator();
+  const std::vector<testing::Wall> walls = testing::l_shaped_room();
+  constexpr testing::Fan kAhead{221, rad_from_deg(-55.0), rad_from_deg(0.5)};
+  std::vector<Scan> mapped;
+  std::vector<Pose2> poses;
+  for (int i = 0; i < 4; ++i) {
+    poses.push_back({2.0 + 0.1 * i, 2.0, 0.0});
+    mapped.push_back(testing::scan_of_walls(walls, poses.back(), kAhead, kNoise_m, generator()));
+  }
+  Localizer localizer(map_of(mapped, poses));
+  for (int i = 0; i < 12; ++i) {
+    const Pose2 truth{2.2, 2.0, i % 2 == 0 ? 0.0 : rad_from_deg(20.0)};
+    const Scan scan = testing::scan_of_walls(walls, truth, kFan, kNoise_m, generator());
+    const LocalisedPose pose = localizer.add(scan);
+    EXPECT_EQ(pose.status, LocalisationStatus::kAmbiguous) << "scan " << i;
+    EXPECT_LT(error_m(pose, truth), 0.1) << "scan " << i;
+  }
+}
+
 }  // namespace setsquare::localizer_test

@@ -4,12 +4,15 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 #include <optional>
 #include <random>
+#include <thread>
 #include <vector>
 
+#include "setsquare/core/error.hpp"
 #include "setsquare/grid/grid_from_scans.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/localizer.hpp"
@@ -43,12 +46,20 @@ SeenRoom seen_room(int num_scans, std::mt19937_64& generator) {
   return seen;
 }
 
+MapViews views_of(const SeenRoom& seen, const Pose2& T_map_grid) {
+  std::vector<MapViews::SharedScan> shared;
+  for (const PlacedScan& placed : seen.placed) {
+    shared.push_back({std::make_shared<const Scan>(*placed.scan), placed.T_map_sensor});
+  }
+  return {shared, T_map_grid};
+}
+
 TEST(SeenByViews, ExplainAScanAtItsPlaceAndContradictItElsewhere) {
   auto generator = testing::make_generator();
   for (int k = 0; k < 10; ++k) {
     const SeenRoom seen = seen_room(8, generator);
     const Pose2 T_map_grid{3.0, -2.0, 0.7};
-    const std::vector<MapView> views = map_views(seen.placed, T_map_grid);
+    const MapViews views = views_of(seen, T_map_grid);
     const Pose2 truth = testing::free_pose(seen.room, generator);
     const PreparedScan scan = prepare(scan_at(seen.room, truth, generator));
     // It is laid onto the walls first.
@@ -68,23 +79,62 @@ TEST(SeenByViews, ExplainAScanAtItsPlaceAndContradictItElsewhere) {
 TEST(SeenByViews, TellNothingOfAPlaceThatNoneIsNear) {
   auto generator = testing::make_generator();
   const SeenRoom seen = seen_room(3, generator);
-  const std::vector<MapView> views = map_views(seen.placed, {});
+  const MapViews views = views_of(seen, {});
   const PreparedScan scan = prepare(seen.scans.front());
   EXPECT_EQ(seen_by_views(views, scan, {100.0, 0.0, 0.0}).num_views, 0U);
   EXPECT_EQ(seen_by_views({}, scan, {}).num_views, 0U);
 }
 
-TEST(MapViews, AreTheSameByAnyNumberOfThreads) {
+// Each is made once, by whichever thread asks first, and is what its scan is prepared to.
+TEST(MapViews, AreMadeOnceWhenThreadsAskForThem) {
   auto generator = testing::make_generator();
-  const SeenRoom seen = seen_room(5, generator);
+  const SeenRoom seen = seen_room(8, generator);
   const Pose2 T_map_grid{1.0, 2.0, 0.3};
-  const std::vector<MapView> by_one = map_views(seen.placed, T_map_grid, 1);
-  const std::vector<MapView> by_three = map_views(seen.placed, T_map_grid, 3);
-  ASSERT_EQ(by_one.size(), by_three.size());
-  for (std::size_t i = 0; i < by_one.size(); ++i) {
-    EXPECT_EQ(by_one[i].T_grid_sensor, by_three[i].T_grid_sensor);
-    EXPECT_EQ(by_one[i].fine.x_m, by_three[i].fine.x_m);
+  const MapViews views = views_of(seen, T_map_grid);
+  ASSERT_EQ(views.size(), seen.scans.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views.T_grid_sensor(i), T_map_grid.inverse() * seen.placed[i].T_map_sensor);
   }
+  EXPECT_EQ(views.num_made(), 0U);
+  constexpr std::size_t kNumThreads = 4;
+  std::array<std::vector<const MapView*>, kNumThreads> asked;
+  std::vector<std::jthread> threads;
+  for (std::size_t k = 0; k < kNumThreads; ++k) {
+    threads.emplace_back([&, k] {
+      const MapViews shared = views;
+      for (std::size_t i = 0; i < shared.size(); ++i) asked[k].push_back(&shared[i]);
+    });
+  }
+  threads.clear();
+  EXPECT_EQ(views.num_made(), views.size());
+  for (std::size_t i = 0; i < views.size(); ++i) {
+    EXPECT_EQ(views[i].fine.x_m, prepare(seen.scans[i]).fine.x_m);
+    for (const auto& by_thread : asked) EXPECT_EQ(by_thread[i], &views[i]);
+  }
+}
+
+TEST(MapViews, AreNotMadeOfAScanThatIsNone) {
+  auto invalid = std::make_shared<Scan>();
+  invalid->ranges_m = {1.0, 1.0};
+  const std::vector<MapViews::SharedScan> scans{{invalid, {}}};
+  EXPECT_THROW(MapViews(scans, {}), ParameterError);
+}
+
+// Where no place is in doubt its scans are not looked at.
+TEST(MapViews, OfAKnownMapAreMadeWhereAPlaceIsInDoubt) {
+  auto generator = testing::make_generator();
+  const SeenRoom seen = seen_room(6, generator);
+  const KnownMap map(grid_from_scans(seen.placed), seen.placed);
+  EXPECT_EQ(map.views().size(), seen.scans.size());
+  EXPECT_EQ(map.views().num_made(), 0U);
+  LocalisationParams sure;
+  sure.min_probability_at_once = 0.0;
+  (void)locate_scan(map, seen.scans.front(), sure);
+  EXPECT_EQ(map.views().num_made(), 0U);
+  LocalisationParams never_sure;
+  never_sure.min_probability_at_once = 1.0;
+  (void)locate_scan(map, seen.scans.front(), never_sure);
+  EXPECT_GT(map.views().num_made(), 0U);
 }
 
 /// Of scans in rooms of which three scans leave something unmapped: how many are localised by the

@@ -71,20 +71,19 @@ void localize(LocalizeOptions options) {
   const auto reader = open_log(options.log_path, options.localising.log);
   OutputSet outputs(
       options.output_path, localize_output_names(), {options.log_path, options.map_path});
-  const OccupancyGrid grid = read_grid_to_localise_in(options.map_path);
-  const auto map = std::make_shared<const KnownMap>(grid);
+  const MapToLocaliseIn map = read_map_to_localise_in(options.map_path);
   LocalizedLog log;
   {
     ProgressBar progress("localising");
     log = localize_log(
         *reader,
         options.log_path,
-        map,
+        map.known,
         options.localising,
         {.on_progress = [&](std::optional<double> fraction) { progress.advance(fraction); }});
   }
   const PoseOf pose_of = options.is_of_sensor ? PoseOf::kSensor : PoseOf::kBase;
-  for (const auto& [file, bytes] : localize_outputs(log, grid, options.map_path, pose_of)) {
+  for (const auto& [file, bytes] : localize_outputs(log, map.grid, options.map_path, pose_of)) {
     outputs.add(file, bytes);
   }
   outputs.commit();
