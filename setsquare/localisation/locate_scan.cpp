@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/place_covariance.hpp"
 #include "setsquare/localisation/place_probability.hpp"
@@ -48,7 +49,7 @@ LocatedScan located_by(const KnownMap& map,
          probabilities[i],
          turned_covariance(covariance_of(found[i]), map.T_map_grid().theta_rad)});
   }
-  std::ranges::stable_sort(located.places, std::ranges::greater{}, &PossiblePlace::probability);
+  sort_by_greatest(located.places, &PossiblePlace::probability);
   const double in_map = std::accumulate(probabilities.begin(), probabilities.end(), 0.0);
   const double best = located.places.empty() ? 0.0 : located.places.front().probability;
   located.status = status_of(best, min_probability, in_map, params);

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/localisation/wall_step.hpp"
 #include "setsquare/matching/wall_kinds.hpp"
 #include "setsquare/surfaces/sample_comparison.hpp"
@@ -39,9 +40,9 @@ std::vector<std::size_t> views_near(const MapViews& views, const Pose2& T_grid_s
     if (distance_m <= kReach_m) near.push_back({i, distance_m});
   }
   if (near.size() > kMostNear) {
-    std::ranges::stable_sort(near, std::ranges::less{}, &View::distance_m);
+    sort_by(near, &View::distance_m);
     near.resize(kMostNear);
-    std::ranges::sort(near, std::ranges::less{}, &View::index);
+    sort_by(near, &View::index);
   }
   std::vector<std::size_t> nearest;
   for (const View& view : near) nearest.push_back(view.index);
@@ -65,7 +66,7 @@ std::vector<const MapView*> views_about(const MapViews& views,
         {&view,
          align_one_way(view.image, scan.coarse, T_view_scan, kTolerance_m).evidence.agreeing_m});
   }
-  std::ranges::stable_sort(near, std::ranges::greater{}, &View::agreeing_m);
+  sort_by_greatest(near, &View::agreeing_m);
   std::vector<const MapView*> best;
   for (const View& view : std::span(near).first(std::min(kMostViews, near.size()))) {
     best.push_back(view.view);

@@ -10,6 +10,7 @@
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/core/finite_pose.hpp"
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/localisation/known_map.hpp"
 #include "setsquare/localisation/place_covariance.hpp"
 #include "setsquare/localisation/place_probability.hpp"
@@ -221,7 +222,7 @@ void PlaceHypotheses::believe_said(const Scan& scan, const SoughtScan& sought) {
 void PlaceHypotheses::drop_unlikely() {
   constexpr double kFarBehind = 9.0;  // Against the best one.
   if (hypotheses_.empty()) return;
-  std::ranges::stable_sort(hypotheses_, std::ranges::greater{}, &Hypothesis::log_odds);
+  sort_by_greatest(hypotheses_, &Hypothesis::log_odds);
   const double excess = hypotheses_.front().log_odds - params_.max_log_odds;
   if (excess > 0.0) {
     for (Hypothesis& hypothesis : hypotheses_) hypothesis.log_odds -= excess;

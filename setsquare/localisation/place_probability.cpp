@@ -10,6 +10,8 @@
 #include <numeric>
 #include <utility>
 
+#include "setsquare/core/sort_by.hpp"
+
 namespace setsquare {
 namespace {
 
@@ -84,7 +86,7 @@ PlaceStanding place_standing(std::span<const VerifiedPlace> places) {
 PlaceStanding place_standing(std::span<const VerifiedPlace> places, std::span<const double> ranks) {
   std::vector<std::pair<double, const VerifiedPlace*>> ranked;
   for (std::size_t i = 0; i < places.size(); ++i) ranked.emplace_back(ranks[i], &places[i]);
-  std::ranges::stable_sort(ranked, std::ranges::greater{}, &decltype(ranked)::value_type::first);
+  sort_by_greatest(ranked, &decltype(ranked)::value_type::first);
   constexpr std::size_t kNumOthers = 5;
   std::vector<std::pair<double, const VerifiedPlace*>> different;
   for (const auto& [rank, place] : ranked) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/core/sort_by.hpp"
 #include "setsquare/localisation/wall_step.hpp"
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/keep_best.hpp"
@@ -206,7 +207,7 @@ std::vector<MapProposal> propose_places(const KnownMap& map,
     map.correlation().propose(scan.proposing, rotation_rad, min_correlation, scratch, proposals);
     min_correlation = std::max(min_correlation, keep_best(num_proposals, proposals));
   }
-  std::ranges::stable_sort(proposals, std::ranges::greater{}, &MapProposal::correlation);
+  sort_by_greatest(proposals, &MapProposal::correlation);
   return proposals;
 }
 
@@ -291,8 +292,7 @@ std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& params) {
     place->whole_fit =
         whole_fit(place->fit_on_walls, range_agreement(map_, scan_, place->T_grid_sensor));
   }
-  std::ranges::stable_sort(
-      different, std::ranges::greater{}, [](const RoughPlace* place) { return *place->whole_fit; });
+  sort_by_greatest(different, [](const RoughPlace* place) { return *place->whole_fit; });
   if (different.size() > params.num_verified) different.resize(params.num_verified);
   std::vector<VerifiedPlace> verified;
   for (RoughPlace* place : different) {
@@ -302,7 +302,7 @@ std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& params) {
     });
     if (!is_known) verified.push_back(*place->verified);
   }
-  std::ranges::stable_sort(verified, std::ranges::greater{}, &VerifiedPlace::score);
+  sort_by_greatest(verified, &VerifiedPlace::score);
   return verified;
 }
 
@@ -314,7 +314,7 @@ void PlaceSearch::move_proposals(std::size_t count) {
     rough_.push_back(
         {.T_grid_sensor = T, .fit_on_walls = fit_at(map_.walls(), scan_.proposing, T)});
   }
-  std::ranges::stable_sort(rough_, std::ranges::greater{}, &RoughPlace::fit_on_walls);
+  sort_by_greatest(rough_, &RoughPlace::fit_on_walls);
 }
 
 void PlaceSearch::look_at(std::vector<RoughPlace*>& places, std::size_t count) const {
@@ -326,8 +326,7 @@ void PlaceSearch::look_at(std::vector<RoughPlace*>& places, std::size_t count) c
         place->fit_on_walls,
         range_agreement(map_.walls(), beams, scan_.beams.max_range_m, place->T_grid_sensor));
   }
-  std::ranges::stable_sort(
-      places, std::ranges::greater{}, [](const RoughPlace* place) { return *place->first_look; });
+  sort_by_greatest(places, [](const RoughPlace* place) { return *place->first_look; });
   places.resize(count);
 }
 
