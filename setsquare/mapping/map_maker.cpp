@@ -353,7 +353,9 @@ void MapMaker::audit_and_mend(Closed& closed, Map& map) const {
     if (!turned.empty()) keep_if_better(closed_with_walls(before, turned, hypotheses), true);
     if (!is_mended) break;
   }
-  if (!findings.unseconded.empty()) add_certainty(map, params_.motion, findings.unseconded);
+  if (!findings.unseconded.empty() || !findings.astray.empty()) {
+    add_certainty(map, params_.motion, findings.unseconded, findings.astray);
+  }
   add_findings(findings, params_.audit, map);
 }
 

@@ -104,15 +104,6 @@ bool ties_across(const Constraint& constraint, std::span<const std::size_t> step
   return std::ranges::any_of(steps, [&](std::size_t step) { return first < step && step <= last; });
 }
 
-/// Makes a step as uncertain as one that may be wrong.
-void doubt(const Map& map, Constraint& step) {
-  if (is_told_by_odometry(map, step.to)) {
-    widen(kWrongStepByOdometry_m, kWrongStepByOdometry_rad, step);
-  } else {
-    widen(kWrongStep_m, kWrongStep_rad, step);
-  }
-}
-
 /// Makes the steps that departed from the odometry as uncertain as scans and odometry differ.
 void widen_departures(const Map& map, PoseGraph& graph) {
   if (map.track.motions.size() != map.keyframes.size()) return;
@@ -159,6 +150,11 @@ std::vector<std::size_t> sure_parts(const PoseGraph& graph,
 
 }  // namespace
 
+StepReach wrong_step_sigma(const Map& map, std::size_t keyframe) {
+  if (!is_told_by_odometry(map, keyframe)) return {kWrongStep_m, kWrongStep_rad};
+  return {kWrongStepByOdometry_m, kWrongStepByOdometry_rad};
+}
+
 bool is_tracked_step(const Constraint& constraint) {
   return constraint.kind == ConstraintKind::kOdometry && constraint.to == constraint.from + 1;
 }
@@ -183,7 +179,9 @@ PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded) 
   for (Constraint& step : graph.constraints) {
     const bool is_doubtful =
         is_tracked_step(step) && std::ranges::find(unseconded, step.to) != unseconded.end();
-    if (is_doubtful) doubt(map, step);
+    if (!is_doubtful) continue;
+    const StepReach off = wrong_step_sigma(map, step.to);
+    widen(off.distance_m, off.turn_rad, step);
   }
   const std::vector<std::size_t> parts =
       sure_parts(graph, map.keyframes.size(), turns, sure_turn_rad(map.frames));

@@ -8,6 +8,7 @@
 
 #include "setsquare/graph/pose_graph.hpp"
 #include "setsquare/map/map.hpp"
+#include "setsquare/tracking/step_reach.hpp"
 
 namespace setsquare {
 
@@ -30,6 +31,9 @@ namespace setsquare {
 ///    scans are right, and headings told by walls hang on the tracked rotation.
 /// `unseconded`: the keyframes to which they lead (AuditFindings::unseconded).
 [[nodiscard]] PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded = {});
+
+/// How far a wrong step to a keyframe leads, among key frames (standard deviations).
+[[nodiscard]] StepReach wrong_step_sigma(const Map& map, std::size_t keyframe);
 
 /// Whether a constraint is a tracked motion, from one keyframe to the next.
 [[nodiscard]] bool is_tracked_step(const Constraint& constraint);

@@ -220,6 +220,24 @@ void add_length(const Map& track,
   stretch.direction_rad = std::atan2(eigen.vectors(1, 1), eigen.vectors(0, 1));
 }
 
+/// Adds how far scans may be off that nothing seconds.
+void widen_astray(const Map& map,
+                  std::span<const std::size_t> astray,
+                  std::vector<PoseSpread>& of_scan) {
+  for (const std::size_t keyframe : astray) {
+    const StepReach off = wrong_step_sigma(map, keyframe);
+    const Eigen::Matrix2d off_m2 = off.distance_m * off.distance_m * Eigen::Matrix2d::Identity();
+    const std::size_t first = keyframe == 0 ? 0 : map.keyframes[keyframe - 1] + 1;
+    const bool is_last = keyframe + 1 == map.keyframes.size();
+    const std::size_t end = is_last ? of_scan.size() : map.keyframes[keyframe + 1];
+    for (std::size_t scan = first; scan < end; ++scan) {
+      if (!std::isfinite(of_scan[scan].heading_rad)) continue;
+      of_scan[scan].root_m = widened(of_scan[scan].root_m, off_m2);
+      of_scan[scan].heading_rad = std::hypot(of_scan[scan].heading_rad, off.turn_rad);
+    }
+  }
+}
+
 }  // namespace
 
 double PoseSpread::position_m() const { return symmetric_eigenvalues(root_m).y(); }
@@ -304,8 +322,10 @@ std::vector<OpenStretch> open_stretches(const Map& track, double min_way_m, doub
 
 void add_certainty(Map& map,
                    const MotionUncertaintyParams& params,
-                   std::span<const std::size_t> unseconded) {
-  const std::vector<PoseSpread> spreads = pose_spreads(map, params, unseconded);
+                   std::span<const std::size_t> unseconded,
+                   std::span<const std::size_t> astray) {
+  std::vector<PoseSpread> spreads = pose_spreads(map, params, unseconded);
+  if (!spreads.empty()) widen_astray(map, astray, spreads);
   for (std::size_t i = 0; i < spreads.size(); ++i) {
     MappedScan& scan = map.scans[i];
     const PoseSpread& spread = spreads[i];

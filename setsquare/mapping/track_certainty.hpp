@@ -53,8 +53,12 @@ struct PoseSpread {
 /// Writes both into the map: the spreads of MappedScan and Map::open_stretches. `params`: of lost
 /// scans.
 /// `unseconded`: see spread_graph().
+/// `astray`: keyframes that may be wrong by themselves (AuditFindings::astray). They, and the scans
+/// between them and their neighbours, may be as far off as a wrong step leads; the neighbours know
+/// where they are without them.
 void add_certainty(Map& map,
                    const MotionUncertaintyParams& params = {},
-                   std::span<const std::size_t> unseconded = {});
+                   std::span<const std::size_t> unseconded = {},
+                   std::span<const std::size_t> astray = {});
 
 }  // namespace setsquare

@@ -84,10 +84,20 @@ std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
     }
     return sum;
   };
+  const auto stands_alone = [&](const Pose2& place) {
+    return std::ranges::any_of(votes, [&](const PlaceVote& vote) {
+      return vote.status == MatchStatus::kMatched &&
+             is_same_place(place, vote.T_odom_sensor, params);
+    });
+  };
   std::optional<AgreedPlace> best;
   for (const PlaceVote& vote : votes) {
     if (vote_weight(vote.status) == 0.0) continue;
     const AgreedPlace place{vote.T_odom_sensor, votes_for(vote.T_odom_sensor)};
+    const bool is_jump = step && !is_within(*step, place.T_odom_sensor);
+    const bool is_seconded =
+        place.votes >= params.min_votes_for_jump && stands_alone(place.T_odom_sensor);
+    if (is_jump && !is_seconded) continue;
     if (!best || place.votes > best->votes) best = place;
   }
   if (!best || best->votes < kAloneWeight) return std::nullopt;

@@ -62,7 +62,9 @@ struct ExpectedStep {
 /// The place with the most votes. It needs more than any other place, for one wrong match bends all
 /// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within
 /// reach of the expected step has as much for it as an ambiguous match gives: what makes a match
-/// ambiguous mostly lies farther away.
+/// ambiguous mostly lies farther away. Beyond that reach it needs the votes that a jump needs, one
+/// of them of a match that stands alone: keyframes of one room take a scan for the same wrong part
+/// of it, all alike.
 [[nodiscard]] std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
                                                       const std::optional<ExpectedStep>& step,
                                                       const PlaceVoteParams& params);

@@ -87,6 +87,7 @@ double MotionUncertainty::add_open_turn(const TrackedPose& tracked, double secon
 }
 
 double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& sweep) {
+  if (tracked.is_same_again) return 0.0;  // The time until the next new scan goes on.
   double open_m = 0.0;
   const double seconds =
       has_last_ ? std::max(0.0, seconds_between(last_sweep_.stamp, sweep.stamp)) : 0.0;

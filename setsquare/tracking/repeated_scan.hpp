@@ -7,6 +7,7 @@
 
 #include "setsquare/core/pose2.hpp"
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/tracked_pose.hpp"
 
 namespace setsquare {
 
@@ -29,5 +30,10 @@ class RepeatedScan {
   std::vector<double> ranges_m_;
   std::optional<Pose2> T_wheels_base_;
 };
+
+/// What is to be said of a scan that is the one before again where no wheels tell how far the robot
+/// went: that it is where that was. It tells nothing for or against anything. `answer`: of the scan
+/// before.
+[[nodiscard]] TrackedPose told_again(TrackedPose answer);
 
 }  // namespace setsquare

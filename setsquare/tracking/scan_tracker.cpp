@@ -15,17 +15,8 @@
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_answer.hpp"
 #include "setsquare/tracking/submap_refinement.hpp"
-#include "setsquare/tracking/sudden_turn.hpp"
-#include "setsquare/tracking/sweep_turns.hpp"
 
 namespace setsquare {
-
-namespace {
-
-/// Of a scan placed with two motions of its sweep: no difference.
-constexpr double kSameScore = 0.01;
-
-}  // namespace
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
     : params_(params),
@@ -47,8 +38,11 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   Expectation expected = expectation_of(arrived, T_believed_base, is_gap);
   if (repeated_.add(scan, T_believed_base)) expected.situation = Situation::kSeesNothingNew;
   // The same scan is of the same place, unless the wheels tell otherwise.
-  const bool is_same_again = !T_believed_base && repeated_.is_same() && last_.is_tracked;
-  if (is_same_again) expected.T_odom_sensor = last_sensor(scan);
+  const bool is_same_again = !T_believed_base && repeated_.is_same();
+  if (is_same_again && expected.situation != Situation::kSeesTooLittle) {
+    ++num_scans_;
+    return told_again(answer_);
+  }
   TrackedPose tracked = place(arrived, expected);
   if (expected.has_odometry && is_poor(tracked) && is_evidence(expected.situation)) {
     tracked = place_without_odometry(arrived, is_gap, is_at_rest, tracked, expected);
@@ -58,7 +52,6 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   tracked.has_odometry = expected.has_odometry;
   add_departure(expected_step(arrived, expected.T_odom_sensor, expected.has_odometry), tracked);
   tracked.is_long_step = long_steps_.are_usual();
-  tracked.is_same_again = is_same_again;
   tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
@@ -73,14 +66,14 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
   sweep_motion_ = arrived.motion();
   deskewed_scan_ = arrived.take_deskewed();
-  if (!is_same_again) {
-    motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
-    if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
-    add_step(tracked, situation);
-  }
+  motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
+  if (tracked.status == TrackStatus::kRecovered || tracked.is_restart) motion_.restart();
+  add_step(tracked, situation);
   compare_gyro(scan, tracked);
   compare_odometry(scan, tracked, situation, T_wheels_base);
   ++num_scans_;
+  answer_ = tracked;
+  if (tracked.status != TrackStatus::kLost) usual_score_ += 0.1 * (tracked.score - usual_score_);
   return tracked;
 }
 
@@ -143,6 +136,7 @@ void ScanTracker::compare_odometry(const Scan& scan,
                                    const TrackedPose& tracked,
                                    Situation situation,
                                    const std::optional<Pose2>& T_wheels_base) {
+  if (situation == Situation::kSeesNothingNew) return;  // Until the next scan is new.
   const OdometryTrialParams& params = params_.odometry;
   const bool is_certain = situation == Situation::kExpected &&
                           tracked.status == TrackStatus::kTracked &&
@@ -213,89 +207,6 @@ ScanTracker::Situation ScanTracker::situation_of(std::size_t num_points, bool is
 
 Pose2 ScanTracker::last_sensor(const Scan& scan) const {
   return BodyMounting(T_base_body_, scan.T_base_sensor).sensor_of(last_.T_odom_body);
-}
-
-SweepMotion ScanTracker::motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const {
-  const Scan& arrived = scan.arrived();
-  SweepMotion motion = even_motion(last_sensor(arrived).inverse() * T_odom_sensor,
-                                   seconds_between(last_.stamp, arrived.stamp),
-                                   scan.sweep_s());
-  if (!params_.deskew.is_sweep_known) motion = {};
-  return motion;
-}
-
-double ScanTracker::turn_sigma_rad(const ArrivedScan& scan) const {
-  const double sigma_rad_per_s = gyro_.turn_rad(last_.stamp, scan.arrived().stamp)
-                                     ? params_.deskew.gyro_sigma_rad_per_s
-                                     : params_.deskew.motion_sigma_rad_per_s;
-  return 0.5 * std::abs(scan.sweep_s()) * sigma_rad_per_s;
-}
-
-TrackedPose ScanTracker::place_swept(ArrivedScan& scan, const Pose2& predicted, bool has_odometry) {
-  if (scan.sweep_s() == 0.0) return place_expected(scan, predicted, predicted, has_odometry);
-  const SweepMotion expected = motion_to(scan, predicted);
-  scan.deskew(expected);
-  TrackedPose tracked = place_expected(scan, predicted, predicted, has_odometry);
-  SweepMotion motion = expected;
-  if (tracked.score < params_.deskew.sudden_turn.below_score) {
-    motion = place_turned(scan, predicted, has_odometry, expected, tracked).value_or(expected);
-  }
-  if (tracked.status == TrackStatus::kLost) return tracked;
-  TrackedPose best = tracked;
-  SweepMotion best_motion = motion;
-  for (int i = 0; i < params_.deskew.max_num_turns; ++i) {
-    SweepMotion better = turns_seen(scan, tracked.T_odom_sensor, motion, expected, i < 2);
-    if (change_rad(motion, better) < params_.deskew.converged_rad) break;
-    better.way_m = motion_to(scan, tracked.T_odom_sensor).way_m;
-    scan.deskew(better);
-    const bool is_recovered = tracked.status == TrackStatus::kRecovered;
-    tracked = place_expected(scan, tracked.T_odom_sensor, predicted, has_odometry);
-    motion = better;
-    // Where half a sweep sees next to nothing, the turns may run away.
-    if (tracked.status == TrackStatus::kLost) break;
-    if (is_recovered) tracked.status = TrackStatus::kRecovered;
-    if (tracked.score < best.score - kSameScore) continue;
-    best = tracked;
-    best_motion = motion;
-  }
-  if (change_rad(best_motion, motion) > 0.0) scan.deskew(best_motion);
-  return best;
-}
-
-SweepMotion ScanTracker::turns_seen(const ArrivedScan& scan,
-                                    const Pose2& T_odom_sensor,
-                                    const SweepMotion& motion,
-                                    const SweepMotion& expected,
-                                    bool is_first) {
-  const SubmapRefinementParams& refinement = params_.refinement;
-  return refined_turns(scan.placed_at(T_odom_sensor, motion),
-                       expected,
-                       turn_sigma_rad(scan),
-                       submap_images_,
-                       is_first ? refinement.first_step : refinement.later_steps,
-                       marks_);
-}
-
-std::optional<SweepMotion> ScanTracker::place_turned(ArrivedScan& scan,
-                                                     const Pose2& predicted,
-                                                     bool has_odometry,
-                                                     const SweepMotion& motion,
-                                                     TrackedPose& tracked) {
-  const Scan& arrived = scan.arrived();
-  const SuddenTurnParams& params = params_.deskew.sudden_turn;
-  const SuddenTurn turn = find_sudden_turn(
-      {arrived, last_sensor(arrived), seconds_between(last_.stamp, arrived.stamp), scan.sweep_s()},
-      submap_images_,
-      params_.surfaces,
-      params);
-  scan.deskew(turn.motion);
-  const TrackedPose turned = place_expected(scan, turn.T_odom_sensor, predicted, has_odometry);
-  if (turned.status != TrackStatus::kLost && turned.score > tracked.score + params.min_gain) {
-    tracked = turned;
-    return turn.motion;
-  }
-  scan.deskew(motion);
-  return std::nullopt;
 }
 
 TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
@@ -447,7 +358,8 @@ double ScanTracker::least_score(const SubmapFit& fit) const {
 
 void ScanTracker::count_lost(TrackStatus status, Situation situation) {
   if (!is_evidence(situation)) return;
-  num_lost_ = status == TrackStatus::kLost ? num_lost_ + 1 : 0;
+  const std::size_t num_new = repeated_.is_same() ? 0 : 1;
+  num_lost_ = status == TrackStatus::kLost ? num_lost_ + num_new : 0;
 }
 
 bool ScanTracker::is_restart(Situation situation) const {

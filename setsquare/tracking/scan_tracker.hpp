@@ -25,6 +25,7 @@
 namespace setsquare {
 
 class ArrivedScan;
+struct SuddenTurn;
 
 /// Places scan after scan against a submap of the latest keyframes. The scans may come from several
 /// scanners (Scan::scanner) in the order of time: each is expected where the last one, of whichever
@@ -141,6 +142,12 @@ class ScanTracker {
                                           bool has_odometry,
                                           const SweepMotion& motion,
                                           TrackedPose& tracked);
+  /// The same of a scan that is not deskewed.
+  TrackedPose place_taken_at_once(ArrivedScan& scan, const Pose2& predicted, bool has_odometry);
+  /// The turn since the last scan, at which `unturned` was its heading, that explains a scan best.
+  [[nodiscard]] SuddenTurn sudden_turn_from(const ArrivedScan& scan, const Pose2& unturned) const;
+  /// Whether a scan fits better where a sudden turn leads to. Then `tracked` becomes that.
+  bool improves(const TrackedPose& turned, TrackedPose& tracked) const;
   /// The motion by which the walls see a sweep bent least (refined_turns).
   [[nodiscard]] SweepMotion turns_seen(const ArrivedScan& scan,
                                        const Pose2& T_odom_sensor,
@@ -181,8 +188,8 @@ class ScanTracker {
   /// A fit that scores less is looked at again. In a bare corridor the walls fit; where they leave
   /// a direction open and do not, the place is wrong.
   [[nodiscard]] double least_score(const SubmapFit& fit) const;
-  /// Counts scans that are lost in a row. A scan that sees next to nothing is no evidence against
-  /// the submap.
+  /// Counts scans that are lost in a row. A scan that sees next to nothing, or the same again, is
+  /// no evidence against the submap.
   void count_lost(TrackStatus status, Situation situation);
   /// Whether the submap restarts with the scan that was counted last.
   [[nodiscard]] bool is_restart(Situation situation) const;
@@ -217,6 +224,8 @@ class ScanTracker {
     Pose2 T_odom_body;
     bool is_tracked = false;  ///< Without a jump.
   } last_;
+  TrackedPose answer_;        ///< The last one.
+  double usual_score_ = 0.8;  ///< Of scans that are not lost, the latest above all.
   std::optional<Scan> deskewed_scan_;
   SweepMotion sweep_motion_;
   std::size_t num_scans_ = 0;

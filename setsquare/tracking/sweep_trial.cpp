@@ -37,6 +37,8 @@ SweepTrial::SweepTrial(const ScanTrackerParams& params)
 void SweepTrial::add(const Scan& scan, const std::optional<Pose2>& T_wheels_base) {
   if (!is_open()) return;
   ++num_scans_;
+  (void)repeated_.add(scan, T_wheels_base);
+  if (repeated_.is_same()) return;  // It swept when it came first.
   const double period_s = last_stamp_ ? seconds_between(*last_stamp_, scan.stamp) : 0.0;
   last_stamp_ = scan.stamp;
   Scan swept = scan;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/scan/scan.hpp"
+#include "setsquare/tracking/repeated_scan.hpp"
 #include "setsquare/tracking/scan_tracker.hpp"
 
 namespace setsquare {
@@ -51,6 +52,7 @@ class SweepTrial {
 
   SweepTrialParams params_;
   ScanTracker tracker_;
+  RepeatedScan repeated_;
   std::optional<Timestamp> last_stamp_;
   std::size_t num_scans_ = 0;
   Observed last_;

@@ -259,4 +259,23 @@ TEST(TrackCertainty, NoGraphNoCertainty) {
   EXPECT_TRUE(open_stretches({}).empty());
 }
 
+// Of a scan that is wrong by itself nothing hangs.
+TEST(TrackCertainty, AKeyframeThatWentAstrayIsUncertainAndItsNeighboursAreNot) {
+  Map as_tracked = chain_of_pieces({{0, 20, true}}, 0.0);
+  Map doubted = as_tracked;
+  add_certainty(as_tracked);
+  const std::size_t astray[] = {4};  // Scan 8.
+  add_certainty(doubted, {}, {}, astray);
+  for (std::size_t i = 0; i < doubted.scans.size(); ++i) {
+    const MappedScan& scan = doubted.scans[i];
+    if (i >= 7 && i <= 9) {
+      EXPECT_GT(scan.position_sigma_m, 1.5) << i;
+      EXPECT_GT(scan.heading_sigma_rad, rad_from_deg(45.0)) << i;
+    } else {
+      EXPECT_EQ(scan.position_sigma_m, as_tracked.scans[i].position_sigma_m) << i;
+      EXPECT_EQ(scan.heading_sigma_rad, as_tracked.scans[i].heading_sigma_rad) << i;
+    }
+  }
+}
+
 }  // namespace setsquare::track_certainty_test

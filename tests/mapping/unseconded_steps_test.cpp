@@ -65,6 +65,22 @@ TEST(UnsecondedSteps, AMatchOverManyStepsTellsOfNone) {
   EXPECT_EQ(left_by({match_of(0, 4)}).size(), 9U);
 }
 
+Steps astray_by(const std::vector<AuditMatch>& matches) {
+  return astray_keyframes(matches, straight_track(), {});
+}
+
+// The two steps about a place may be wrong, and together right.
+TEST(AstrayKeyframes, AreSecondedByNoneWhileMatchesOverThemAgree) {
+  const AuditMatch over = match_of(3, 5);
+  EXPECT_EQ(left_by({over}), (Steps{1, 2, 3, 6, 7, 8, 9})) << "the step alone tells nothing";
+  EXPECT_EQ(astray_by({over}), (Steps{4}));
+  EXPECT_EQ(astray_by({over, match_of(4, 5, 3.9)}), (Steps{4}));
+  EXPECT_EQ(astray_by({over, match_of(4, 5, 0.0, kPi), match_of(3, 4)}), (Steps{4}));
+  EXPECT_EQ(astray_by({over, match_of(3, 4)}), Steps{});
+  EXPECT_EQ(astray_by({over, match_of(4, 5, 3.9), match_of(3, 4), match_of(2, 4)}), Steps{});
+  EXPECT_EQ(astray_by({match_of(4, 5, 3.9)}), Steps{}) << "that is a step that nothing seconds";
+}
+
 /// A building of which each metre of the way has a scan.
 struct KeyFrames {
   Map map;

@@ -72,6 +72,18 @@ TEST(AgreedPlace, MatchesThatDetermineNoPlaceHaveNoVote) {
   EXPECT_FALSE(agreed({}));
 }
 
+// One room takes a scan for its wrong half in each of its keyframes; a corridor without end, too.
+TEST(AgreedPlace, BeyondTheReachOfAStepAJumpNeedsAMatchThatStandsAlone) {
+  const PlaceVote ambiguous = vote(kElsewhere, MatchStatus::kAmbiguous);
+  const PlaceVote alone = vote(kElsewhere, MatchStatus::kMatched);
+  EXPECT_FALSE(agreed({ambiguous, ambiguous, ambiguous, ambiguous}, kStepHere));
+  EXPECT_TRUE(agreed({ambiguous, ambiguous, ambiguous, ambiguous})) << "without the rule";
+  EXPECT_FALSE(agreed({alone}, kStepHere)) << "too few votes for a jump";
+  EXPECT_TRUE(agreed({alone})) << "without the rule";
+  EXPECT_TRUE(agreed({alone, ambiguous}, kStepHere));
+  EXPECT_TRUE(agreed({vote(kHere, MatchStatus::kMatched)}, kStepHere)) << "within reach";
+}
+
 TEST(AgreedPlace, OdometrySpeaksAgainstAPlaceBeyondItsReachAsGoodAsItHasProved) {
   using By = ExpectedStep::By;
   const AgreedPlace one{kElsewhere, 1.0};

@@ -251,4 +251,25 @@ TEST(MotionUncertainty, WhereScansDepartFromProvedOdometryTheSpreadsAreToldAndNo
   EXPECT_EQ(covariance.slip_sigma_m, usual.slip_sigma_m);
 }
 
+// A scan that was sent again says nothing of the time since it came first: the robot drove on.
+TEST(MotionUncertainty, CopiesOfAScanEndNoOpenStretch) {
+  const Pose2 ahead{0.1, 0.0, 0.0};
+  const auto open_sigma_m = [&](bool is_same_again) {
+    MotionUncertainty uncertainty(kParams);
+    uncertainty.add(at({}), after(0.0));
+    uncertainty.add(open_along(0.0, ahead), after(1.0));
+    TrackedPose copy = at(ahead);
+    copy.is_same_again = is_same_again;
+    for (const double stamp_s : {1.5, 2.0, 2.5}) uncertainty.add(copy, after(stamp_s));
+    uncertainty.add(open_along(0.0, {0.2, 0.0, 0.0}), after(3.0));
+    return uncertainty.take().open_sigma_m(0, 0);
+  };
+  MotionUncertainty only_new(kParams);
+  only_new.add(at({}), after(0.0));
+  only_new.add(open_along(0.0, ahead), after(1.0));
+  only_new.add(open_along(0.0, {0.2, 0.0, 0.0}), after(3.0));
+  EXPECT_EQ(open_sigma_m(true), only_new.take().open_sigma_m(0, 0));
+  EXPECT_LT(open_sigma_m(false), 0.6 * open_sigma_m(true)) << "without the rule";
+}
+
 }  // namespace setsquare::motion_uncertainty_test

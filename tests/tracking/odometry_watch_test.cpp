@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+#include <optional>
+
 #include "setsquare/tracking/repeated_scan.hpp"
 #include "tests/support/simulated_drive.hpp"
 
@@ -72,6 +75,19 @@ TEST(RepeatedScan, IsOneOnlyWhileTheWheelsMove) {
   EXPECT_FALSE(repeated.add(scan, Pose2{0.2, 0.0, 0.0}));
   EXPECT_FALSE(repeated.add(scan, std::nullopt)) << "nobody knows";
   EXPECT_TRUE(repeated.is_same());
+}
+
+// Drivers that send nothing for a beam leave NaN, which is not equal to itself.
+TEST(RepeatedScan, IsOneThoughARangeIsMissing) {
+  Scan scan;
+  scan.ranges_m = {1.0, std::numeric_limits<double>::quiet_NaN(), 2.0};
+  RepeatedScan repeated;
+  (void)repeated.add(scan, std::nullopt);
+  (void)repeated.add(scan, std::nullopt);
+  EXPECT_TRUE(repeated.is_same());
+  scan.ranges_m[1] = 1.5;
+  (void)repeated.add(scan, std::nullopt);
+  EXPECT_FALSE(repeated.is_same());
 }
 
 }  // namespace setsquare::odometry_watch_test

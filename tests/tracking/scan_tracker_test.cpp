@@ -94,6 +94,78 @@ TEST(ScanTracker, TheSameScanIsOfTheSamePlace) {
   EXPECT_GT(farthest_copy_m(false), 0.1) << "without the rule";
 }
 
+/// The scans, and the last of them `num` times more; with a range that differs in its last digits
+/// where the copies are not `exact`.
+std::vector<Scan> with_copies_of_last(std::vector<Scan> scans, std::size_t num, bool exact) {
+  for (std::size_t copy = 1; copy <= num; ++copy) {
+    scans.push_back(scans.back());
+    if (!exact) scans.back().ranges_m.front() += 1e-9;
+  }
+  return scans;
+}
+
+// A scan that is found nowhere, or far off, is one witness however often it is sent.
+TEST(ScanTracker, CopiesOfAScanNeitherRestartTheSubmapNorConfirmAPlace) {
+  const std::vector<Scan> room =
+      scans_on_drive(l_shaped_room(), drive({{1.5, 1.5}, {4.0, 1.5}}), kNoise_m);
+  std::vector<Scan> carried = room;
+  carried.push_back(
+      scans_on_drive(testing::empty_rectangle(0.7, 0.9), {Pose2{0.3, 0.4, 0.1}}, kNoise_m).front());
+  const auto num_restarts = [](const std::vector<TrackedPose>& tracked) {
+    return std::ranges::count(tracked, true, &TrackedPose::is_restart);
+  };
+  EXPECT_EQ(num_restarts(track_all(with_copies_of_last(carried, 9, true))), 0);
+  EXPECT_EQ(num_restarts(track_all(with_copies_of_last(carried, 9, false))), 1) << "without";
+
+  std::vector<Scan> turned = room;
+  turned.push_back(
+      scans_on_drive(l_shaped_room(), {Pose2{4.3, 1.5, rad_from_deg(83.0)}}, kNoise_m).front());
+  for (const bool exact : {true, false}) {
+    const auto tracked = track_all(with_copies_of_last(turned, 3, exact));
+    ASSERT_EQ(tracked[room.size()].status, TrackStatus::kRecovered);
+    EXPECT_EQ(tracked.back().status, exact ? TrackStatus::kRecovered : TrackStatus::kTracked);
+    EXPECT_EQ(tracked.back().is_same_again, exact);
+  }
+}
+
+// The wheels move on between the copies, and are compared with the scans from new one to new one.
+TEST(ScanTracker, OdometryProvesTrueWhereEachScanIsSentFiveTimes) {
+  const std::vector<Pose2> truth = drive(way_around_the_room());
+  std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  ScanTracker tracker;
+  for (std::size_t i = 0; i < scans.size(); ++i) {
+    scans[i].ranges_m = scans[i - i % 5].ranges_m;
+    (void)tracker.track(scans[i], truth[i]);
+  }
+  EXPECT_EQ(tracker.odometry().verdict, OdometryVerdict::kBelieved);
+}
+
+/// How far off the heading is of a scan at which the robot has turned by 25 degrees while the
+/// odometry says that it turned the other way; where such a scan does not fit so badly that the
+/// matcher is asked.
+double heading_error_of_unexpected_turn_deg(ScanTrackerParams params) {
+  params.recovery.below_score = params.recovery.below_score_if_open = -2.0;
+  std::vector<Pose2> truth = drive({{1.5, 1.5}, {4.0, 1.5}});
+  std::vector<Pose2> wheels = truth;
+  truth.push_back(truth.back());
+  wheels.push_back(wheels.back());
+  truth.back().theta_rad += rad_from_deg(25.0);
+  wheels.back().theta_rad -= rad_from_deg(25.0);
+  const std::vector<Scan> scans = scans_on_drive(l_shaped_room(), truth, kNoise_m);
+  ScanTracker tracker(params);
+  TrackedPose tracked;
+  for (std::size_t i = 0; i < scans.size(); ++i) tracked = tracker.track(scans[i], wheels[i]);
+  return std::abs(deg_from_rad(
+      wrap_to_pi(tracked.T_odom_sensor.theta_rad - between(truth[0], truth.back()).theta_rad)));
+}
+
+TEST(ScanTracker, ATurnThatNobodyExpectedIsFound) {
+  ScanTrackerParams without;
+  without.deskew.sudden_turn.below_score = -2.0;
+  EXPECT_LT(heading_error_of_unexpected_turn_deg({}), 0.6);
+  EXPECT_GT(heading_error_of_unexpected_turn_deg(without), 5.0) << "without the rule";
+}
+
 TEST(ScanTracker, KeepsKeyframesAtTheirSpacing) {
   const std::vector<Pose2> truth = drive({{1.0, 1.0}, {5.0, 1.0}});
   const auto tracked = track_all(scans_on_drive(l_shaped_room(), truth, kNoise_m));

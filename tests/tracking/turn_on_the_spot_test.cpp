@@ -114,6 +114,23 @@ TEST(SweepTrial, FindsTheSweepAndItsWayAround) {
   }
 }
 
+// A driver that sends each scan twice halves the time from scan to scan, not that of a sweep.
+TEST(SweepTrial, FindsTheSweepWhereEachScanIsSentTwice) {
+  const Spin spin{.rate_hz = 7.0, .turn_deg_per_s = 180.0, .states_sweep = false};
+  const auto found_s = [&](bool exact) {
+    std::vector<SpunScan> twice;
+    for (const SpunScan& spun : scans_of_spin(spin, 4)) {
+      twice.insert(twice.end(), 2, spun);
+      twice.back().scan.stamp.ns += 70'000'000;
+      if (!exact) twice.back().scan.ranges_m.front() += 1e-9;
+    }
+    return sweep_found(twice);
+  };
+  ASSERT_TRUE(found_s(true).has_value());
+  EXPECT_NEAR(*found_s(true), 359.0 / 360.0 / spin.rate_hz, 1e-6);
+  EXPECT_NE(found_s(false), found_s(true)) << "without the rule";
+}
+
 TEST(SweepTrial, SaysWhereAllBeamsAreMeasuredAtOnce) {
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const Spin spin{.turn_deg_per_s = 180.0, .sweep_share = 0.0, .states_sweep = false};

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/jump.hpp"
+#include "setsquare/core/same_numbers.hpp"
 #include "setsquare/scan/housing.hpp"
 #include "setsquare/scan/isolated_returns.hpp"
 
@@ -104,7 +105,7 @@ void SensorSurvey::add(const Scan& scan) {
   repeated.add(scan);
   num_isolated += num_isolated_returns(scan);
   robot_parts.add(scan);
-  num_unchanged += scan.ranges_m == previous_ranges_m_ ? 1 : 0;
+  num_unchanged += are_same_numbers(scan.ranges_m, previous_ranges_m_) ? 1 : 0;
   previous_ranges_m_ = scan.ranges_m;
 }
 

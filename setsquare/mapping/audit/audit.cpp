@@ -111,6 +111,9 @@ AuditFindings audit(const Map& map,
   for (const std::size_t step : unseconded_steps(track, params, matched)) {
     findings.unseconded.push_back(track.keyframes[step]);
   }
+  for (const std::size_t place : astray_keyframes(matched.matches(), track, params)) {
+    findings.astray.push_back(track.keyframes[place]);
+  }
   return findings;
 }
 

@@ -37,6 +37,7 @@ struct AuditFindings {
   std::vector<ContradictionGroup> groups;  ///< Of the matches; the greatest first.
   std::vector<CrossedWalls> crossed;       ///< Of the track's keyframes.
   std::vector<std::size_t> unseconded;     ///< Of the map's keyframes: unseconded_steps().
+  std::vector<std::size_t> astray;         ///< Likewise: astray_keyframes().
 
   /// One for each match of the groups that raise a doubt, but for those that may be of twins.
   [[nodiscard]] std::vector<MapHypothesis> hypotheses() const;
@@ -51,7 +52,8 @@ struct AuditFindings {
 /// 4. Group what contradicts alike, and weigh it against what agrees (contradiction_groups).
 /// 5. Where passes lie over each other, look through the walls of each (crossed_walls): two places
 ///    that the map took for one need not match anywhere.
-/// 6. Second each long step of a log of key frames (unseconded_steps).
+/// 6. Second each long step of a log of key frames (unseconded_steps), and each place between two
+///    (astray_keyframes).
 /// `surfaces`: one per keyframe of the map. Any number of threads gives the same findings. Throws
 /// ParameterError.
 [[nodiscard]] AuditFindings audit(const Map& map,

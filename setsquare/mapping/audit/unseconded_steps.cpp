@@ -39,6 +39,26 @@ std::vector<std::size_t> without_second(const std::vector<std::size_t>& steps,
   return left;
 }
 
+std::vector<std::size_t> astray_keyframes(std::span<const AuditMatch> matches,
+                                          const AuditedTrack& track,
+                                          const AuditParams& params) {
+  std::vector<int> for_place(track.size(), 0);  // Of the matches that end there.
+  std::vector<int> over_place(track.size(), 0);
+  for (const AuditMatch& match : matches) {
+    const auto [from, to] = match.pair;
+    if (to - from > kMaxSecondingSteps) continue;
+    const int vote = agrees(audit_offset(match, track, params), params) ? 1 : -1;
+    for_place[from] += vote;
+    for_place[to] += vote;
+    for (std::size_t k = from + 1; k < to; ++k) over_place[k] += vote;
+  }
+  std::vector<std::size_t> astray;
+  for (const std::size_t step : track.long_steps) {
+    if (for_place[step] <= 0 && over_place[step] > 0) astray.push_back(step);
+  }
+  return astray;
+}
+
 std::vector<std::size_t> unseconded_steps(const AuditedTrack& track,
                                           const AuditParams& params,
                                           MatchedPairs& matched) {

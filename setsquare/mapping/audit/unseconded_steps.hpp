@@ -29,4 +29,11 @@ inline constexpr std::size_t kMaxSecondingSteps = 3;
                                                       const AuditedTrack& track,
                                                       const AuditParams& params);
 
+/// Keyframes between long steps that may be wrong by themselves: most matches over them, over up to
+/// three steps, agree with the map, but not most of those that end there. What spans both steps
+/// seconds them together, and tells nothing of the place between.
+[[nodiscard]] std::vector<std::size_t> astray_keyframes(std::span<const AuditMatch> matches,
+                                                        const AuditedTrack& track,
+                                                        const AuditParams& params);
+
 }  // namespace setsquare
