@@ -26,7 +26,7 @@ std::string map_verdict(const Map& map) {
     return "doubtful in " + std::to_string(num_doubts) + (num_doubts == 1 ? " place" : " places") +
            matches;
   }
-  return (map.audit->num_matched > 0 ? "consistent" : "unconfirmed") + matches;
+  return (map.audit->num_agreeing > 0 ? "consistent" : "unconfirmed") + matches;
 }
 
 }  // namespace setsquare

@@ -11,7 +11,7 @@ namespace setsquare {
 
 /// What the audit says of a map in one line: "consistent (312 of 312 independent matches agree)",
 /// "doubtful in 2 places (290 of 312 independent matches agree)", or "unconfirmed (...)" where no
-/// pair of scans could be matched. Empty where the map was not audited.
+/// match agrees. Empty where the map was not audited.
 [[nodiscard]] std::string map_verdict(const Map& map);
 
 }  // namespace setsquare
