@@ -23,12 +23,19 @@ std::vector<MapViews::SharedScan> shared_keyframes(const Map& map) {
   return shared;
 }
 
+double free_area_m2(const OccupancyGrid& grid) {
+  const auto num_free =
+      std::ranges::count_if(grid.values(), [](float value) { return value < 0.0F; });
+  return grid.resolution_m() * grid.resolution_m() * static_cast<double>(num_free);
+}
+
 }  // namespace
 
 KnownMap::KnownMap(const OccupancyGrid& grid)
     : T_map_grid_(grid.T_map_grid()),
       walls_(grid),
       correlation_(walls_),
+      free_m2_(free_area_m2(grid)),
       is_empty_(std::ranges::none_of(grid.values(), [](float value) { return value > 0.0F; }) ||
                 std::ranges::none_of(grid.values(), [](float value) { return value < 0.0F; })) {}
 

@@ -38,6 +38,8 @@ class KnownMap {
   [[nodiscard]] const MapCorrelation& correlation() const { return correlation_; }
   /// What its scans saw, where it has any; in the grid's frame.
   [[nodiscard]] const MapViews& views() const { return views_; }
+  /// How much of it is free, in m2.
+  [[nodiscard]] double free_m2() const { return free_m2_; }
   /// Whether it has walls and free space at all.
   [[nodiscard]] bool is_empty() const { return is_empty_; }
 
@@ -46,6 +48,7 @@ class KnownMap {
   WallDistance walls_;
   MapCorrelation correlation_;
   MapViews views_;
+  double free_m2_ = 0.0;
   bool is_empty_ = true;
 };
 

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/localisation/localisation_params.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "setsquare/core/parameter_checks.hpp"
 
 namespace setsquare {
@@ -12,6 +15,22 @@ void require_share(double value, const char* name) {
 }
 
 }  // namespace
+
+PlaceSearchParams PlaceSearchParams::in_area(double free_m2) const {
+  constexpr double kSmall_m2 = 200.0;
+  constexpr double kLarge_m2 = 300.0;
+  constexpr double kLeastShare = 0.2;
+  const double size = (free_m2 - kSmall_m2) / (kLarge_m2 - kSmall_m2);
+  const double share = kLeastShare + (1.0 - kLeastShare) * std::clamp(size, 0.0, 1.0);
+  const auto part = [share](std::size_t number) {
+    return static_cast<std::size_t>(std::ceil(share * static_cast<double>(number)));
+  };
+  PlaceSearchParams params = *this;
+  params.num_proposals = part(num_proposals);
+  params.num_compared = part(num_compared);
+  params.num_verified = part(num_verified);
+  return params;
+}
 
 void PlaceSearchParams::validate(const std::string& owner) const {
   require_at_least_one(num_rotations, owner + ".num_rotations");

@@ -16,6 +16,10 @@ struct PlaceSearchParams {
   std::size_t num_compared = 120;   ///< Best of those, all different, compared range by range.
   std::size_t num_verified = 30;    ///< Best of those, verified.
 
+  /// The same for a map with so much free space: fewer in one that is smaller than half a floor.
+  /// As many there stand near each other, and the true one among the very first.
+  [[nodiscard]] PlaceSearchParams in_area(double free_m2) const;
+
   /// Throws ParameterError that names the field as one of `owner`.
   void validate(const std::string& owner) const;
 };

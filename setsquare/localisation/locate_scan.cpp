@@ -60,10 +60,9 @@ LocatedScan located_by(const KnownMap& map,
 
 LocatedScan locate_scan(const KnownMap& map, const Scan& scan, const LocalisationParams& params) {
   const SoughtScan sought = sought_scan(scan);
-  PlaceSearch search(map,
-                     sought,
-                     params.search.num_rotations,
-                     std::max(params.search.num_proposals, params.search_again.num_proposals));
+  PlaceSearchParams widest = params.search;
+  widest.num_proposals = std::max(widest.num_proposals, params.search_again.num_proposals);
+  PlaceSearch search(map, sought, widest);
   const std::vector<VerifiedPlace> found = search.best(params.search);
   const double at_once = params.min_probability_at_once;
   const LocatedScan located = located_by(map, found, log_odds_by_grid(found), at_once, params);

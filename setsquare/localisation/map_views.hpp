@@ -35,7 +35,9 @@ class MapViews {
   /// In the frame of a grid. Throws ParameterError where a scan's geometry is not valid.
   MapViews(std::span<const SharedScan> scans, const Pose2& T_map_grid);
 
+  /// How many, made or not.
   [[nodiscard]] std::size_t size() const;
+  /// Whether there are none.
   [[nodiscard]] bool empty() const { return size() == 0; }
   /// MapView::T_grid_sensor, for which no view is made.
   [[nodiscard]] const Pose2& T_grid_sensor(std::size_t i) const;

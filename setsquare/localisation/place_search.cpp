@@ -271,11 +271,14 @@ VerifiedPlace verified_place(const KnownMap& map,
 
 PlaceSearch::PlaceSearch(const KnownMap& map,
                          const SoughtScan& scan,
-                         std::size_t num_rotations,
-                         std::size_t max_proposals)
-    : map_(map), scan_(scan), proposals_(propose_places(map, scan, num_rotations, max_proposals)) {}
+                         const PlaceSearchParams& widest)
+    : map_(map),
+      scan_(scan),
+      proposals_(propose_places(
+          map, scan, widest.num_rotations, widest.in_area(map.free_m2()).num_proposals)) {}
 
-std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& params) {
+std::vector<VerifiedPlace> PlaceSearch::best(const PlaceSearchParams& wished) {
+  const PlaceSearchParams params = wished.in_area(map_.free_m2());
   move_proposals(params.num_proposals);
   // Those of a search before keep what was measured at them.
   std::vector<RoughPlace*> different;
@@ -333,7 +336,7 @@ void PlaceSearch::look_at(std::vector<RoughPlace*>& places, std::size_t count) c
 std::vector<VerifiedPlace> search_places(const KnownMap& map,
                                          const SoughtScan& scan,
                                          const PlaceSearchParams& params) {
-  return PlaceSearch(map, scan, params.num_rotations, params.num_proposals).best(params);
+  return PlaceSearch(map, scan, params).best(params);
 }
 
 }  // namespace setsquare

@@ -65,14 +65,11 @@ struct VerifiedPlace {
 /// outlive it.
 class PlaceSearch {
  public:
-  /// Step 1. No search may look at more than `max_proposals`.
-  PlaceSearch(const KnownMap& map,
-              const SoughtScan& scan,
-              std::size_t num_rotations,
-              std::size_t max_proposals);
+  /// Step 1. No search may look at more proposals than those of `widest`.
+  PlaceSearch(const KnownMap& map, const SoughtScan& scan, const PlaceSearchParams& widest);
 
-  /// Steps 2 and 3: the best places, all different, best first.
-  [[nodiscard]] std::vector<VerifiedPlace> best(const PlaceSearchParams& params);
+  /// Steps 2 and 3: the best places, all different, best first. `wished` is that of a large map.
+  [[nodiscard]] std::vector<VerifiedPlace> best(const PlaceSearchParams& wished);
 
  private:
   /// A place on its way from proposal to verification.
