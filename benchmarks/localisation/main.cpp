@@ -210,8 +210,7 @@ bool is_right(const KnownPlace& place, const VerifiedPlace& found) {
 void print_examples(const KnownPlace& place) {
   const LocalisationParams params;
   const SoughtScan sought = sought_scan(place.scan);
-  PlaceSearch search(
-      place.map, sought, params.search.num_rotations, params.search_again.num_proposals);
+  PlaceSearch search(place.map, sought, params.search_again);
   std::printf("scan\n");
   const std::vector<VerifiedPlace> places = search.best(params.search);
   const std::vector<SeenByViews> seen = seen_by_views(place.map.views(), sought.prepared, places);
