@@ -72,6 +72,7 @@ void SuddenTurnParams::validate() const {
   require_finite(below_score, "deskew.sudden_turn.below_score");
   require_not_negative(below_usual, "deskew.sudden_turn.below_usual");
   require_not_negative(near_usual, "deskew.sudden_turn.near_usual");
+  require_not_negative(min_turn_rad, "deskew.sudden_turn.min_turn_rad");
   require_finite(min_gain, "deskew.sudden_turn.min_gain");
   require_positive(fastest_rad_per_s, "deskew.sudden_turn.fastest_rad_per_s");
   require_positive(step_rad, "deskew.sudden_turn.step_rad");

@@ -157,8 +157,9 @@ struct SuddenTurnParams {
   double below_score = 0.6;  ///< Scans that score less as expected are searched, ...
   double below_usual =
       0.2;                  ///< ... and if no sweep is known by so much less than scans lately did,
-  double near_usual = 0.1;  ///< to which what is found must come so near again; ...
-  double min_gain = 0.1;    ///< ... and what is found must beat the score by this much.
+  double near_usual = 0.1;  ///< to which what is found must come so near again, ...
+  double min_turn_rad = rad_from_deg(2.0);  ///< turned by this at least: less is no sudden turn;
+  double min_gain = 0.1;           ///< ... and what is found must beat the score by this much.
   double fastest_rad_per_s = 5.5;  ///< Turns that are tried; no robot turns faster.
   double step_rad = 0.1;           ///< Of the turns that are tried.
   double scale_m = 0.15;           ///< Closeness of points to surfaces.

@@ -108,7 +108,11 @@ TrackedPose ScanTracker::place_taken_at_once(ArrivedScan& scan,
   const SuddenTurn turn = sudden_turn_from(scan, unturned);
   TrackedPose turned = expected;
   (void)improves(place_expected(scan, turn.T_odom_sensor, predicted, has_odometry), turned);
-  return turned.score >= usual_score_ - params.near_usual ? turned : expected;
+  const double turn_rad =
+      wrap_to_pi(turned.T_odom_sensor.theta_rad - expected.T_odom_sensor.theta_rad);
+  const bool is_sudden_turn =
+      std::abs(turn_rad) >= params.min_turn_rad && turned.score >= usual_score_ - params.near_usual;
+  return is_sudden_turn ? turned : expected;
 }
 
 SuddenTurn ScanTracker::sudden_turn_from(const ArrivedScan& scan, const Pose2& unturned) const {
