@@ -280,8 +280,12 @@ class WhileARobotIsLocalised(BrowserTest):
         self.value("setsquare.drawing.showReal = setsquare.drawing.showPlaces;"
                    "setsquare.drawing.showPlaces = () => {};"  # Reports go on.
                    f"setsquare.drawing.showReal([[{x} + 2, {y}, 0, 1], [{x}, {y} + 2, 1, 0.25]])")
-        column, row = self.value(f"setsquare.drawing.pixel({x} + 2, {y})")
-        picture = self.picture()
+        # The view moves along with the robot: a picture counts where it stood still meanwhile.
+        for _ in range(20):
+            column, row = self.value(f"setsquare.drawing.pixel({x} + 2, {y})")
+            picture = self.picture()
+            if self.value(f"setsquare.drawing.pixel({x} + 2, {y})") == [column, row]:
+                break
         near = [place for place in picture.places(self.color("lost"), 30)
                 if abs(place[0] - column) < 25 and abs(place[1] - row) < 25]
         self.assertGreater(len(near), 60)
