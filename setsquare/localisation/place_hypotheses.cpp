@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
-#include <functional>
 #include <utility>
 
 #include "setsquare/core/error.hpp"

@@ -113,6 +113,7 @@ std::unique_ptr<TrackingAgain> LogTracker::take_tracking_again() {
   if (!has_other_scans) inputs = unjudged_.take_to_map_again(tracker_.odometry().verdict);
   if (inputs.empty()) return nullptr;
   LogTracker again(params_);
+  // A copy, then moved: to copy onto one costs the build two seconds more.
   again.sweeps_ = SweepSearch(sweeps_);
   again.robot_parts_ = RobotPartSearch(robot_parts_);
   if (!has_other_scans) {

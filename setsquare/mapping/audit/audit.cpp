@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "setsquare/mapping/audit/audit.hpp"
 
-#include <algorithm>
 #include <cassert>
 
 #include "setsquare/core/error.hpp"
