@@ -48,6 +48,26 @@ Pose2 between(const Pose2& a, const Pose2& b, double share) {
           wrap_to_pi(a.theta_rad + share * wrap_to_pi(b.theta_rad - a.theta_rad))};
 }
 
+/// How much of what tracking is off by from the first of two and more poses to the last lies, as
+/// far as one can tell, before each: as the squares of ways and turns. Where nothing moves, as the
+/// scans.
+std::vector<double> shares_of_error(std::span<const Pose2> T_odom_sensor) {
+  constexpr double kLever_m = 1.0;  // A turn by 1 rad counts as this way.
+  std::vector<double> shares{0.0};
+  for (std::size_t i = 1; i < T_odom_sensor.size(); ++i) {
+    const Pose2 step = T_odom_sensor[i - 1].inverse() * T_odom_sensor[i];
+    const double turn_m = kLever_m * step.theta_rad;
+    shares.push_back(shares.back() + step.x_m * step.x_m + step.y_m * step.y_m + turn_m * turn_m);
+  }
+  const double whole = shares.back();
+  const auto num_steps = static_cast<double>(shares.size() - 1);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    const bool moves = whole > 0.0 && std::isfinite(whole);
+    shares[i] = moves ? shares[i] / whole : static_cast<double>(i) / num_steps;
+  }
+  return shares;
+}
+
 }  // namespace
 
 std::size_t KeyframeTrack::num_scanners() const {
@@ -133,12 +153,15 @@ std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
     const MappedKeyframe& from = keyframes[k];
     const bool is_last = k + 1 == keyframes.size();
     const std::size_t end = is_last ? T_odom_sensor.size() : keyframes[k + 1].scan_index;
-    const bool hangs = is_last || keyframes[k + 1].begins_piece;
-    const MappedKeyframe& to = hangs ? from : keyframes[k + 1];
+    if (is_last || keyframes[k + 1].begins_piece) {
+      for (std::size_t i = from.scan_index; i < end; ++i) T_map_sensor[i] = seen_from(from, i);
+      continue;
+    }
+    const MappedKeyframe& to = keyframes[k + 1];
+    const std::vector<double> shares =
+        shares_of_error(T_odom_sensor.subspan(from.scan_index, end + 1 - from.scan_index));
     for (std::size_t i = from.scan_index; i < end; ++i) {
-      const double share =
-          static_cast<double>(i - from.scan_index) / static_cast<double>(end - from.scan_index);
-      T_map_sensor[i] = between(seen_from(from, i), seen_from(to, i), share);
+      T_map_sensor[i] = between(seen_from(from, i), seen_from(to, i), shares[i - from.scan_index]);
     }
   }
   return T_map_sensor;

@@ -67,10 +67,10 @@ struct MappedKeyframe {
 };
 
 /// Poses of all scans from those of the keyframes: between two keyframes the tracked motion is laid
-/// out from both, and the pose slides from the one to the other with the scans; before the first,
-/// after the last and before one that begins a piece of track, the nearest known keyframe alone
-/// gives the pose. `keyframes` are in the order of the scans; without keyframes the tracked poses
-/// stay.
+/// out from both, and the pose slides from the one to the other as the robot moves, by the squares
+/// of its ways and turns, for at rest nothing drifts. Before the first, after the last and before
+/// one that begins a piece of track, the nearest known keyframe alone gives the pose. `keyframes`
+/// are in the order of the scans; without keyframes the tracked poses stay.
 [[nodiscard]] std::vector<Pose2> assemble_track(std::span<const Pose2> T_odom_sensor,
                                                 std::span<const MappedKeyframe> keyframes);
 

@@ -66,6 +66,18 @@ TEST(TrackAssembly, PassesThroughEveryKeyframeAndSlidesInBetween) {
   }
 }
 
+/// A robot that stands and then turns, by 10 deg in one scan: tracking saw 12.
+TEST(TrackAssembly, WhatTrackingIsOffByLiesWhereTheRobotMoved) {
+  std::vector<Pose2> tracked(12);
+  tracked.back().theta_rad = rad_from_deg(12.0);
+  const std::vector<Pose2> assembled = assemble_track(
+      tracked,
+      std::vector<MappedKeyframe>{{0, {}, false}, {11, {0.0, 0.0, rad_from_deg(10.0)}, false}});
+  for (std::size_t i = 0; i < 11; ++i)
+    EXPECT_THAT(assembled[i], PoseNear(Pose2{}, PoseTolerance{}));
+  EXPECT_NEAR(assembled.back().theta_rad, rad_from_deg(10.0), 1e-12);
+}
+
 TEST(TrackAssembly, WhereAPieceBeginsNothingSlides) {
   const std::vector<Pose2> tracked = curve();
   std::vector<MappedKeyframe> keyframes = keyframes_of(tracked, {0, 30, 50});
