@@ -58,18 +58,28 @@ std::vector<PieceNodes> nodes_of_pieces(const Map& track) {
   return pieces;
 }
 
+/// The nodes at which spreads jump: behind unseconded steps, and behind departures.
+std::vector<std::size_t> jump_nodes(const Map& track, std::span<const std::size_t> unseconded) {
+  std::vector<std::size_t> nodes(unseconded.begin(), unseconded.end());
+  for (std::size_t k = 0; k < track.track.motions.size(); ++k) {
+    const MotionCovariance& motion = track.track.motions[k].covariance;
+    if (motion.departure_sigma_m + motion.departure_sigma_rad > 0.0) nodes.push_back(k);
+  }
+  return nodes;
+}
+
 /// So many nodes of a piece, evenly from its first to its last; all where it has fewer. And those
-/// before and behind unseconded steps, where spreads jump.
+/// before and behind the nodes at which spreads jump.
 std::vector<std::size_t> spread_nodes(const PieceNodes& piece,
                                       std::size_t num,
-                                      std::span<const std::size_t> unseconded) {
+                                      std::span<const std::size_t> jumps) {
   std::vector<std::size_t> nodes;
   const std::size_t num_spread = std::min(piece.num_nodes, std::max<std::size_t>(2, num));
   for (std::size_t k = 0; k < num_spread; ++k) {
     const std::size_t of_piece = k == 0 ? 0 : k * (piece.num_nodes - 1) / (num_spread - 1);
     nodes.push_back(piece.first_node + of_piece);
   }
-  for (const std::size_t node : unseconded) {
+  for (const std::size_t node : jumps) {
     if (node <= piece.first_node || node >= piece.first_node + piece.num_nodes) continue;
     nodes.insert(nodes.end(), {node - 1, node});
   }
@@ -256,9 +266,10 @@ std::vector<PoseSpread> pose_spreads(const Map& track,
   for (const PieceNodes& piece : joined) num_joined_nodes += piece.num_nodes;
   max_num_nodes = std::min(max_num_nodes, num_joined_nodes);
   const MarginalCovariance marginals(spread_graph(track, unseconded));
+  const std::vector<std::size_t> jumps = jump_nodes(track, unseconded);
   for (const PieceNodes& piece : joined) {
     const std::vector<std::size_t> nodes =
-        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes, unseconded);
+        spread_nodes(piece, max_num_nodes * piece.num_nodes / num_joined_nodes, jumps);
     std::vector<PoseSpread> of_node;
     for (const std::size_t node : nodes) {
       const Eigen::Matrix2d way_m2 = marginals.of_way(joined.front().first_node, node);
