@@ -23,8 +23,9 @@ struct MotionCovariance {
   /// How far the motion may be off beyond tracking's usual noise: where walls left a direction
   /// open, or scans were lost.
   double slip_sigma_m = 0.0;
-  /// How far the motion departs from odometry that has proved true, as sigmas: one of the two is
-  /// wrong. The rest of the covariance does not count it, for mostly the scans are right.
+  /// How far the motion departs from another witness, odometry that has proved true or the last
+  /// scan (TrackedPose::departure), as sigmas: one of the two is wrong. The rest of the covariance
+  /// does not count it, for mostly the scans are right.
   double departure_sigma_m = 0.0;
   double departure_sigma_rad = 0.0;  ///< The same of the turn.
   bool has_odometry = true;          ///< Whether odometry predicted every scan of the motion.

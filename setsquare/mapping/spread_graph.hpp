@@ -26,8 +26,9 @@ namespace setsquare {
 /// 3. A long step that no independent match seconds may be a wrong one: it is as uncertain as such
 ///    steps are, or as the odometry where that tells it, too. Closures across it of keyframes that
 ///    no more than kMaxSecondingSteps lie between were found where it led, and are left out.
-/// 4. A step that departs from odometry that has proved true is as uncertain as the two differ:
-///    where there are people about the robot a scan is pulled aside. It is so here only: mostly the
+/// 4. A step that departs from odometry that has proved true, or from what the last scan says of a
+///    jolt, is as uncertain as the two differ: where there are people or clutter about the robot a
+///    scan is pulled aside. It is so here only: mostly the
 ///    scans are right, and headings told by walls hang on the tracked rotation.
 /// `unseconded`: the keyframes to which they lead (AuditFindings::unseconded).
 [[nodiscard]] PoseGraph spread_graph(const Map& map, std::span<const std::size_t> unseconded = {});

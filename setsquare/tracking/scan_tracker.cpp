@@ -9,8 +9,11 @@
 #include <utility>
 
 #include "setsquare/core/is_beyond.hpp"
+#include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/tracking/agreed_place.hpp"
 #include "setsquare/tracking/arrived_scan.hpp"
+#include "setsquare/tracking/jolt.hpp"
+#include "setsquare/tracking/known_place.hpp"
 #include "setsquare/tracking/recovery.hpp"
 #include "setsquare/tracking/robot_body.hpp"
 #include "setsquare/tracking/submap_answer.hpp"
@@ -64,6 +67,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   if (tracked.is_restart) start_anew();
   tracked.is_keyframe = is_evidence(situation) && is_to_be_kept(scan, tracked);
   if (tracked.is_keyframe) keep(arrived.scan(), arrived.surfaces(), tracked);
+  last_scan_ = arrived.scan();
   sweep_motion_ = arrived.motion();
   deskewed_scan_ = arrived.take_deskewed();
   motion_.add(tracked.T_odom_body, body_by_wheels(T_believed_base), {scan.scanner, scan.stamp});
@@ -96,7 +100,8 @@ TrackedPose ScanTracker::place(ArrivedScan& scan, const Expectation& expected) {
     case Situation::kNoSubmap:
       return {.T_odom_sensor = predicted, .open = {}};
     case Situation::kExpected:
-      return place_swept(scan, predicted, expected.has_odometry);
+      return seconded_by_last_scan(
+          scan, predicted, place_swept(scan, predicted, expected.has_odometry));
     case Situation::kAnywhere:
       return place_anywhere(scan, predicted);
   }
@@ -348,6 +353,36 @@ TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, b
   }
   TrackedPose tracked = answer_of(fit, params_.refinement);
   if (is_recovered) tracked.status = TrackStatus::kRecovered;
+  return tracked;
+}
+
+TrackedPose ScanTracker::seconded_by_last_scan(ArrivedScan& scan,
+                                               const Pose2& predicted,
+                                               TrackedPose tracked) {
+  const JoltParams& params = params_.jolts;
+  const bool is_placed = tracked.status == TrackStatus::kTracked ||
+                         tracked.status == TrackStatus::kDegenerate;  // Without a jump.
+  const bool is_asked = is_placed && last_.is_tracked && !long_steps_.are_usual() &&
+                        is_jolt(predicted, tracked.T_odom_sensor, params);
+  if (!is_asked) return tracked;
+  const ScanSurfacesPtr last = scan_surfaces(
+      last_scan_, surface_points_from_scan(last_scan_, params_.surfaces), params_.image);
+  const MatchResult match =
+      setsquare::match(prepare(last), prepare(scan.surfaces()), params_of_a_known_place());
+  if (!match.T_reference_current) return tracked;
+  const Pose2 place = last_.T_odom_sensor * *match.T_reference_current;
+  if (!is_contradicted(predicted, tracked.T_odom_sensor, place, params)) return tracked;
+  if (match.status == MatchStatus::kMatched) {
+    const SurfaceSamples points = scan.all_points();
+    const TrackingProblem at_place{
+        submap_images_, points, place, params_.trust_in_odometry, marks_};
+    const SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
+    const bool stays =
+        !is_beyond(place.inverse() * fit.T_odom_sensor, params.same_m, params.same_rad);
+    if (stays && fit.alignment.score() > tracked.score) return answer_of(fit, params_.refinement);
+  }
+  const Pose2 off = place.inverse() * tracked.T_odom_sensor;
+  tracked.departure = {std::hypot(off.x_m, off.y_m), std::abs(off.theta_rad)};
   return tracked;
 }
 

@@ -160,6 +160,11 @@ class ScanTracker {
   [[nodiscard]] SweepMotion motion_to(const ArrivedScan& scan, const Pose2& T_odom_sensor) const;
   /// How uncertain the turns are that it is expected to make.
   [[nodiscard]] double turn_sigma_rad(const ArrivedScan& scan) const;
+  /// For the kind of scan that clutter, people or noise pull aside in the submap: a step unlike
+  /// what was expected (is_jolt) needs the last scan, matched with this one without a guess, for a
+  /// witness. Where that contradicts it, its own place is tried, and believed where it fits better;
+  /// else one of the two is wrong, and the scan departs by what they differ.
+  TrackedPose seconded_by_last_scan(ArrivedScan& scan, const Pose2& predicted, TrackedPose tracked);
   TrackedPose place_anywhere(ArrivedScan& scan, const Pose2& predicted);
   /// Whether the robot can be there: no robot is metres ahead of where it was a scan ago.
   [[nodiscard]] bool is_within_reach(const SubmapFit& found, const Pose2& predicted) const;
@@ -225,6 +230,7 @@ class ScanTracker {
     bool is_tracked = false;  ///< Without a jump.
   } last_;
   TrackedPose answer_;        ///< The last one.
+  Scan last_scan_;            ///< As it was placed.
   double usual_score_ = 0.8;  ///< Of scans that are not lost, the latest above all.
   std::optional<Scan> deskewed_scan_;
   SweepMotion sweep_motion_;

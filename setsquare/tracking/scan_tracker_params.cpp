@@ -80,6 +80,13 @@ void SuddenTurnParams::validate() const {
   require_at_least_one(max_samples, "deskew.sudden_turn.max_samples");
 }
 
+void JoltParams::validate() const {
+  require_positive(min_m, "jolts.min_m");
+  require_positive(min_rad, "jolts.min_rad");
+  require_positive(same_m, "jolts.same_m");
+  require_positive(same_rad, "jolts.same_rad");
+}
+
 void SweepTrialParams::validate() const {
   require_positive(max_period_s, "deskew.trial.max_period_s");
   require_positive(min_turn_rad, "deskew.trial.min_turn_rad");
@@ -118,6 +125,7 @@ void ScanTrackerParams::validate() const {
   gyro.validate();
   odometry.validate();
   deskew.validate();
+  jolts.validate();
   trust_in_odometry.validate("trust_in_odometry");
   trust_in_last_motion.validate("trust_in_last_motion");
   require_finite(lost_below_score, "lost_below_score");

@@ -180,6 +180,17 @@ struct PlaceVoteParams {
   void validate() const;
 };
 
+/// Parameters of is_jolt: steps unlike what was expected.
+struct JoltParams {
+  double min_m = 0.1;                   ///< Farther than this, ...
+  double min_rad = rad_from_deg(5.0);   ///< ... or turned by more, or both by their share.
+  double same_m = 0.05;                 ///< Where the last scan has it a scan fits if it stays ...
+  double same_rad = rad_from_deg(2.0);  ///< ... as near as this.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
 /// Parameters of SweepTrial. Shares are of the time from scan to scan.
 struct SweepTrialParams {
   bool is_on = true;                        ///< For scanners that spin.
@@ -231,6 +242,7 @@ struct ScanTrackerParams {
   GyroParams gyro;                     ///< Judges a gyro.
   OdometryTrialParams odometry;        ///< Judges the odometry.
   DeskewParams deskew;                 ///< Takes the skew out of scans.
+  JoltParams jolts;                    ///< For scans that are pulled aside.
   /// Where odometry predicts.
   PredictionTrust trust_in_odometry{.weight = 10.0, .sigma_m = 0.05, .min_gain = 0.02};
   /// Where the mean of the last motions does.

@@ -42,8 +42,9 @@ struct TrackedPose {
   /// How far the odometry's turns are off, as a share of the turn, as it has proved; 0 where
   /// nothing has shown it.
   double odometry_turn_deviation = 0.0;
-  /// How far it is from where odometry that has proved true has it, and turned against that; zeros
-  /// within what that odometry is usually off. One of the two is wrong.
+  /// How far it is from where another witness has it, and turned against that: odometry that has
+  /// proved true, unless it is no farther off than usual, or the last scan where it contradicts a
+  /// jolt (is_contradicted); else zeros. One of the two is wrong.
   StepReach departure = {};
   /// Spread of the motion along the open direction where nothing tells it: the robot may have gone
   /// as far as it does between scans. 0 where the last motion does.

@@ -5,10 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
 
+#include "setsquare/core/angle.hpp"
 #include "setsquare/eval/evaluate.hpp"
 #include "setsquare/io/logs/open_log.hpp"
 #include "setsquare/io/tables/trajectory_tum.hpp"
@@ -129,6 +131,37 @@ TEST(MapFieldLogs, WhatContradictsACorridorMendsIt) {
   MapperParams params;
   params.audit.max_mendings = 0;
   EXPECT_TRUE(has_doubt(map_log(*path, false, params), DoubtKind::kContradictingPairs));
+}
+
+/// Scans of which two maps of a log differ by so much more than what both state: by how the robot
+/// turned since the first scan.
+std::size_t num_turned_silently(const Map& map, const Map& other) {
+  constexpr double kTurned_rad = rad_from_deg(8.0);
+  const double offset_rad =
+      map.scans.front().T_map_base.theta_rad - other.scans.front().T_map_base.theta_rad;
+  std::size_t num = 0;
+  for (std::size_t i = 0; i < map.scans.size(); ++i) {
+    const MappedScan& a = map.scans[i];
+    const MappedScan& b = other.scans[i];
+    if (!a.is_placed || a.status == TrackStatus::kLost) continue;
+    const double off_rad =
+        std::abs(wrap_to_pi(a.T_map_base.theta_rad - b.T_map_base.theta_rad - offset_rad));
+    const double sigma_rad = std::hypot(a.heading_sigma_rad, b.heading_sigma_rad);
+    num += off_rad > kTurned_rad && off_rad > 3.0 * sigma_rad;
+  }
+  return num;
+}
+
+// A lidar that sees 4 m, in a laboratory full of clutter: scans are pulled aside by up to 28 deg.
+TEST(MapFieldLogs, ScansThatAreTurnedByClutterAreUncertain) {
+  const auto path = data_file("field/breezy-lab.clf");
+  if (!path) GTEST_SKIP() << "no real logs";
+  const Map by_odometry = map_log(*path, true);
+  // Where scans are turned most no map is right; of the 390 scans before these are a few.
+  EXPECT_LT(num_turned_silently(map_log(*path, false), by_odometry), 5U);
+  MapperParams params;
+  params.tracker.jolts.min_m = params.tracker.jolts.min_rad = 1e3;
+  EXPECT_GT(num_turned_silently(map_log(*path, false, params), by_odometry), 100U);
 }
 
 TEST(MapFieldLogs, APieceIsJoinedWhereMatchesHaveTheRobotWhereTheWheelsHaveIt) {
