@@ -118,7 +118,7 @@ double MotionUncertainty::add(const TrackedPose& tracked, const SweepStart& swee
       add_jump(params_.recovered_sigma_m, params_.recovered_sigma_rad);
       break;
     case TrackStatus::kLost:
-      if (is_bridged(sweep.scanner)) break;
+      if (is_bridged(sweep.scanner) || tracked.sees_nothing_new) break;
       if (tracked.has_odometry) {
         add_jump(params_.lost_sigma_m_by_odometry, params_.lost_sigma_rad_by_odometry);
       } else {

@@ -56,6 +56,7 @@ TrackedPose ScanTracker::track(const Scan& scan, const std::optional<Pose2>& T_w
   add_departure(expected_step(arrived, expected.T_odom_sensor, expected.has_odometry), tracked);
   tracked.is_long_step = long_steps_.are_usual();
   tracked.odometry_turn_deviation = odometry_.report().turn.deviation;
+  tracked.sees_nothing_new = situation == Situation::kSeesNothingNew;
   count_lost(tracked.status, situation);
   tracked.is_restart = is_restart(situation);
   // Many scans in a row do not see again what was seen before: the robot was carried. Among key

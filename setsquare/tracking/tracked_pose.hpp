@@ -32,6 +32,8 @@ struct TrackedPose {
   /// The scan before again, range by range, and no odometry: it stands where that stands, and may
   /// be of another place if a scanner hangs.
   bool is_same_again = false;
+  /// The same where odometry tells that the robot moved meanwhile: it is where that has it, lost.
+  bool sees_nothing_new = false;
   double score = 1.0;  ///< Share of the points explained by the submap less share contradicted.
   OpenDirection open;  ///< In the odom frame.
   double open_bound_share = 1.0;  ///< How far the walls bind it (SubmapRefinementParams).

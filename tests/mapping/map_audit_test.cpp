@@ -196,6 +196,17 @@ std::vector<MapDoubt> doubts_without_matches(const Map& map) {
   return doubts_of(map, findings, {});
 }
 
+/// For the kind of log whose driver sends each scan several times: most of its scans are lost, and
+/// nothing is lost of its way.
+TEST(AuditedTrack, RepeatsOfAScanAreNoLosses) {
+  Map map = straight_map(100);
+  for (const std::size_t lost : {20U, 50U}) map.scans[lost].status = TrackStatus::kLost;
+  EXPECT_EQ(audited_track(map).losses.size(), 2U) << "of a trajectory";
+  map.track.motions.resize(map.keyframes.size());
+  map.track.motions[21].covariance.slip_sigma_m = 0.3;  // The other one repeats a scan.
+  EXPECT_EQ(audited_track(map).losses, std::vector<std::size_t>{20}) << "without the lost scans";
+}
+
 TEST(MapDoubts, PiecesThatWereNotJoinedAreOneDoubtEachRow) {
   Map map = straight_map(100);
   map.pieces = {{0, 40, true}, {40, 10, false}, {50, 10, false}, {60, 40, true}};

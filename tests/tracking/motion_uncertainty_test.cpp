@@ -81,6 +81,16 @@ TEST(MotionUncertainty, VariancesOfLostScansAddUp) {
   }
 }
 
+TEST(MotionUncertainty, ScansThatRepeatTheOneBeforeWhileWheelsMoveAddNothing) {
+  TrackedPose repeat = at({}, TrackStatus::kLost);
+  repeat.sees_nothing_new = true;
+  const MotionCovariance none = covariance_of({at({})});
+  const MotionCovariance repeated = covariance_of({repeat, repeat, repeat, repeat, at({})});
+  EXPECT_TRUE(repeated.translation_m2.isApprox(none.translation_m2, 1e-12));
+  EXPECT_DOUBLE_EQ(repeated.rotation_rad2, none.rotation_rad2);
+  EXPECT_DOUBLE_EQ(repeated.slip_sigma_m, 0.0);
+}
+
 TEST(MotionUncertainty, AnOpenDirectionCountsAlongItselfOnly) {
   constexpr double kOpen_rad = 0.7;
   const Eigen::Vector2d along(std::cos(kOpen_rad), std::sin(kOpen_rad));

@@ -260,6 +260,21 @@ std::vector<std::size_t> long_steps_of(const Map& map, const std::vector<std::si
   return steps;
 }
 
+/// Keyframes before which tracking may have lost its way. Scans that only repeat the one before, as
+/// drivers send them, are lost, too, where the robot drove on; they add nothing to what its motion
+/// may be off by.
+std::vector<std::size_t> losses_of(const Map& map,
+                                   const std::vector<std::size_t>& scans,
+                                   const std::vector<std::size_t>& keyframes) {
+  std::vector<std::size_t> losses = keyframes_after(lost_scans(map), scans);
+  const std::vector<TrackedMotion>& motions = map.track.motions;
+  if (motions.size() != map.keyframes.size()) return losses;  // Of a trajectory, or an old file.
+  std::erase_if(losses, [&](std::size_t i) {
+    return !(motions[keyframes[i]].covariance.slip_sigma_m > 0.0);
+  });
+  return losses;
+}
+
 }  // namespace
 
 AuditedTrack audited_track(const Map& map) {
@@ -280,7 +295,7 @@ AuditedTrack audited_track(const Map& map) {
   }
   track.open_m2 = admitted_m2(map, scans);
   track.breaks = breaks_of(map, scans);
-  track.losses = keyframes_after(lost_scans(map), scans);
+  track.losses = losses_of(map, scans, track.keyframes);
   track.restarts = keyframes_after(begins_pieces(map), scans);
   track.long_steps = long_steps_of(map, track.keyframes);
   for (const MappedClosure& closure : map.closures) {
