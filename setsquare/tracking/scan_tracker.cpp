@@ -373,7 +373,7 @@ TrackedPose ScanTracker::seconded_by_last_scan(ArrivedScan& scan,
   if (!match.T_reference_current) return tracked;
   const Pose2 place = last_.T_odom_sensor * *match.T_reference_current;
   if (!is_contradicted(predicted, tracked.T_odom_sensor, place, params)) return tracked;
-  if (match.status == MatchStatus::kMatched) {
+  if (match.status == MatchStatus::kMatched && scan.scan().num_beams() >= params.min_beams) {
     const SurfaceSamples points = scan.all_points();
     const TrackingProblem at_place{
         submap_images_, points, place, params_.trust_in_odometry, marks_};

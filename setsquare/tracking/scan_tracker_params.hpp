@@ -6,6 +6,7 @@
 #include <string>
 
 #include "setsquare/core/angle.hpp"
+#include "setsquare/scan/few_beams.hpp"
 #include "setsquare/surfaces/surface_params.hpp"
 
 namespace setsquare {
@@ -182,10 +183,11 @@ struct PlaceVoteParams {
 
 /// Parameters of is_jolt: steps unlike what was expected.
 struct JoltParams {
-  double min_m = 0.1;                   ///< Farther than this, ...
-  double min_rad = rad_from_deg(5.0);   ///< ... or turned by more, or both by their share.
-  double same_m = 0.05;                 ///< Where the last scan has it a scan fits if it stays ...
-  double same_rad = rad_from_deg(2.0);  ///< ... as near as this.
+  double min_m = 0.1;                    ///< Farther than this, ...
+  double min_rad = rad_from_deg(5.0);    ///< ... or turned by more, or both by their share.
+  double same_m = 0.05;                  ///< Where the last scan has it a scan fits if it stays ...
+  double same_rad = rad_from_deg(2.0);   ///< ... as near as this, ...
+  std::size_t min_beams = kFewestBeams;  ///< ... if it has as many beams.
 
   /// Throws ParameterError that names the field.
   void validate() const;
