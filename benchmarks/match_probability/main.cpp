@@ -106,7 +106,8 @@ Eigen::VectorXd fit_log_odds(const std::vector<std::vector<double>>& features,
   return weights;
 }
 
-void run_fit() {
+/// The weights: of answers of both searches, so that poor ones are among them, too.
+Eigen::VectorXd fit_weights() {
   Examples examples;
   const VisitPair add = [&](const KnownPair& pair) { add_example(pair, examples); };
   visit_buildings(utm_30lx(), {2001, 40}, add);
@@ -114,22 +115,44 @@ void run_fit() {
   visit_buildings(half_turn_scanner(0.03), {2017, 12}, add);
   visit_buildings(low_cost_360(), {2001, 16}, add);
   visit_strangers(utm_30lx(), {2001, 6}, add);
-  const Eigen::VectorXd weights = fit_log_odds(examples.features, examples.is_right);
-  std::vector<std::vector<double>> mapped;
+  std::printf("weights: of %zu answers\n", examples.features.size());
+  return fit_log_odds(examples.features, examples.is_right);
+}
+
+/// The map of the log odds: of answers as matches give them, as many buildings of each field of
+/// view.
+Eigen::VectorXd fit_map(const Eigen::VectorXd& weights) {
   constexpr double kKnee = 2.0;
-  for (const std::vector<double>& features : examples.features) {
-    double log_odds = weights(weights.size() - 1);
-    for (std::size_t i = 0; i < features.size(); ++i) log_odds += weights(i) * features[i];
-    mapped.push_back({log_odds, std::max(0.0, log_odds - kKnee)});
-  }
-  const Eigen::VectorXd map = fit_log_odds(mapped, examples.is_right);
-  std::printf("%zu examples\nweights:", examples.features.size());
+  std::vector<std::vector<double>> log_odds;
+  std::vector<double> is_right_answer;
+  const VisitPair add = [&](const KnownPair& pair) {
+    MatchTrace trace;
+    const MatchResult result = match(pair.reference, pair.current, {}, &trace);
+    if (!trace.verdict) return;
+    const ProbabilityFeatures features = probability_features(trace.verdict->probability);
+    double sum = weights(weights.size() - 1);
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      sum += weights(static_cast<Eigen::Index>(i)) * features[i];
+    }
+    log_odds.push_back({sum, std::max(0.0, sum - kKnee)});
+    is_right_answer.push_back(is_right(result, pair));
+  };
+  visit_buildings(utm_30lx(), {2001, 40}, add);
+  visit_buildings(half_turn_scanner(0.01), {2001, 20}, add);
+  visit_buildings(half_turn_scanner(0.03), {2021, 20}, add);
+  visit_buildings(low_cost_360(), {2001, 40}, add);
+  std::printf("map: of %zu answers\n", log_odds.size());
+  return fit_log_odds(log_odds, is_right_answer);
+}
+
+void run_fit() {
+  const Eigen::VectorXd weights = fit_weights();
+  std::printf("weights:");
   for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) std::printf(" %.6g,", weights(i));
-  std::printf("\nconstant: %.6g\nslope: %.6g\nslope above the knee: %.6g\noffset: %.6g\n",
-              weights(weights.size() - 1),
-              map(0),
-              map(1),
-              map(2));
+  std::printf("\nconstant: %.6g\n", weights(weights.size() - 1));
+  std::fflush(stdout);
+  const Eigen::VectorXd map = fit_map(weights);
+  std::printf("slope: %.6g\nslope above the knee: %.6g\noffset: %.6g\n", map(0), map(1), map(2));
 }
 
 /// How often answers of a set are right, against what they claim.

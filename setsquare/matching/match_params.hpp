@@ -97,10 +97,10 @@ struct AliasParams {
 
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
-  std::size_t min_points = 10;             ///< Returns that a scan must have at least.
-  double min_probability = 0.999;          ///< An answer stands by its probability, or ...
-  double min_probability_by_rules = 0.95;  ///< ... by a lower one and all rules of the score below.
-  double min_agreement = 0.10;             ///< Share; below it the scans do not overlap.
+  std::size_t min_points = 10;              ///< Returns that a scan must have at least.
+  double min_probability = 0.99946;         ///< An answer stands by its probability, or ...
+  double min_probability_by_rules = 0.965;  ///< ... by a lower one and all the rules of the score.
+  double min_agreement = 0.10;              ///< Share; below it the scans do not overlap.
   double min_constraint_m = 0.5;   ///< Wall that must hold the open direction of the position.
   double min_turning_m3 = 2.0;     ///< Wall times squared lever arm that must hold the rotation.
   double min_score = 0.24;         ///< An answer stands by its score ...

@@ -4,10 +4,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <Eigen/Core>
 #include <limits>
+#include <memory>
 #include <utility>
 
+#include "tests/mapping/driven_building.hpp"
 #include "tests/mapping/tracked_world.hpp"
 
 namespace setsquare::growing_map_test {
@@ -105,6 +108,48 @@ TEST(GrowingMap, StepsThatBeginAgainLeaveTheMapThatIsGoneOnWith) {
   expect_same(map, direct.make(with_odometry(5)));
   EXPECT_EQ(map.num_with_odometry, 12U);
   EXPECT_EQ(map.sessions.size(), 2U);
+}
+
+/// All behind a step moved: tracking was wrong there and knows nothing of it.
+void bend(std::vector<TrackStep>& steps, std::size_t first, const Pose2& T_step_bent) {
+  const Pose2 T_odom_step = steps[first].scan.T_odom_sensor;
+  const Pose2 T_odom_bent = T_odom_step * T_step_bent * T_odom_step.inverse();
+  for (std::size_t i = first; i < steps.size(); ++i) {
+    steps[i].scan.T_odom_sensor = T_odom_bent * steps[i].scan.T_odom_sensor;
+    if (!steps[i].keyframe) continue;
+    auto moved = std::make_shared<Keyframe>(*steps[i].keyframe->keyframe);
+    moved->T_odom_sensor = T_odom_bent * moved->T_odom_sensor;
+    moved->T_odom_body = T_odom_bent * moved->T_odom_body;
+    steps[i].keyframe->keyframe = std::move(moved);
+  }
+}
+
+bool is_contradicted(const Map& map) {
+  return std::ranges::any_of(map.doubts, [](const MapDoubt& doubt) {
+    return doubt.kind == DoubtKind::kContradictingPairs;
+  });
+}
+
+// Live maps are drawn so: what is wrong with a loop that was just closed is told before the end.
+TEST(GrowingMap, AMapOnTheWayIsAuditedAsSoonAsTheRobotIsBack) {
+  TrackSteps all = steps_of(driven_building(BuildingClass::kOffice, 2012).scans);
+  const std::size_t half = all.steps.size() / 2;
+  bend(all.steps, half, {0.7, 0.5, 0.0});
+  const auto middle = all.steps.begin() + static_cast<std::ptrdiff_t>(half);
+  MapperParams params;
+  params.closing.verdict.min_score = 2.0;  // No loop is closed, ...
+  params.audit.max_mendings = 0;           // ... and none mended.
+  GrowingMap growing{params};
+  growing.add({.steps = {all.steps.begin(), middle}});
+  EXPECT_FALSE(is_contradicted(growing.make_next({})));
+  growing.add({.steps = {middle, all.steps.end()}});
+  const Map on_the_way = growing.make_next({});
+  ASSERT_TRUE(on_the_way.audit);
+  EXPECT_TRUE(is_contradicted(on_the_way));
+  params.audit.is_on = false;
+  GrowingMap unaudited{params};
+  unaudited.add(std::move(all));
+  EXPECT_FALSE(is_contradicted(unaudited.make_next({})));
 }
 
 // A spread beyond what can be computed: nothing that was tracked may be lost.

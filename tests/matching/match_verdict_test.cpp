@@ -169,11 +169,11 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"min_probability",  // Where the rules of the score fail.
              [](Case& c) {
                set_score(c, 0.2, 0.15);
-               c.probability = 0.9991;
+               c.probability = c.params.min_probability + 1e-5;
              },
              [](Case& c) {
                set_score(c, 0.2, 0.15);
-               c.probability = 0.9989;
+               c.probability = c.params.min_probability - 1e-5;
              },
              kAmbiguous},
         Rule{"an alias",
@@ -186,7 +186,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(Verdict, AProbableAnswerNeedsNoRuleOfTheScoreButHasNoRival) {
   Case c;
-  c.probability = 0.9995;
+  c.probability = c.params.min_probability;
   set_score(c, 0.05, 0.0);
   c.two_way.forward = {.agreeing_m = 5.0, .contradicted_m = 5.0};
   c.distinct_wall_m = 0.5;

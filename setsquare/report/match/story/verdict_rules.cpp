@@ -62,9 +62,9 @@ void add_rules_of_constraint(const WallConstraint& constraint,
 VerdictRule rule_of_probability(const MatchResult& result, const AnswerParams& params) {
   return {.name = "Probability that the answer is right",
           .asked = fmt::format("at least {}, or {} and the rules of score, margin and lines",
-                               fixed(params.min_probability, 3),
-                               fixed(params.min_probability_by_rules, 2)),
-          .found = fixed(result.probability, 4),
+                               fixed(params.min_probability, 5),
+                               fixed(params.min_probability_by_rules, 3)),
+          .found = fixed(result.probability, 5),
           .holds = result.probability >= params.min_probability_by_rules};
 }
 
