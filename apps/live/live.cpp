@@ -210,9 +210,9 @@ void add_live(CLI::App& application) {
   live->add_option(
           "--known-poses",
           options->live.max_known_poses,
-          "Of ground that several visits have covered the newest N scans keep their poses; "
-          "older ones are forgotten, so that memory does not grow for ever. 0: all keep "
-          "them")
+          "Of ground that several visits have covered the newest N scans keep their poses, with "
+          "--localize of all scans; older ones are forgotten, so that memory does not grow for "
+          "ever. 0: all keep them")
       ->check(app::whole_number(0, std::numeric_limits<std::uint32_t>::max()))
       ->type_name("N")
       ->capture_default_str();

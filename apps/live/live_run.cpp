@@ -38,6 +38,13 @@ void make_absolute(std::string& topic) {
   if (!topic.empty() && !topic.starts_with('/')) topic.insert(0, "/");
 }
 
+/// Of a run that localises: nobody asks for poses that are not written.
+std::size_t num_poses_to_keep(const LiveOptions& options) {
+  if (options.output_path.empty()) return 0;
+  const std::size_t num = options.live.max_known_poses;
+  return num > 0 ? num : std::numeric_limits<std::size_t>::max();
+}
+
 }  // namespace
 
 LiveRun::LiveRun(const LiveOptions& options, StopSignal& stop) : options_(options), stop_(stop) {
@@ -159,7 +166,7 @@ void LiveRun::make_session() {
                        .T_map_base_start = {},
                        .localisation = {}},
         .way_period_s = options_.live.map_period_s,
-        .keeps_poses = !options_.output_path.empty(),
+        .max_poses = num_poses_to_keep(options_),
         .behind = {.waits = !options_.is_of_network() && options_.speed == 0.0}};
     if (!options_.start.empty()) {
       options.localising.T_map_base_start =
@@ -276,6 +283,11 @@ void LiveRun::localize() {
   const LocalizedLog log = localising_->run(*log_);
   end_shows();
   tell_localised();
+  if (log.left_out.num_scans() > 0 && !options_.output_path.empty()) {
+    std::cout << fmt::format("forgotten: the poses of {} scans, the oldest; {} have theirs\n",
+                             log.left_out.num_scans(),
+                             log.poses.size());
+  }
   if (!options_.output_path.empty()) std::cout << save(log, options_.output_path) << "\n";
   app::tell_problems(log.name, log.problems);
 }

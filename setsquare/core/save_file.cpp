@@ -61,6 +61,8 @@ int write_to(std::FILE* file, std::string_view bytes) {
   return errno != 0 ? errno : EIO;
 }
 
+}  // namespace
+
 /// A file under a temporary name in the folder of its path; removed unless it was renamed.
 class StagedFile {
  public:
@@ -114,6 +116,8 @@ class StagedFile {
   std::FILE* file_ = nullptr;
 };
 
+namespace {
+
 /// A device, a pipe, an open stream: nothing that could be replaced.
 bool is_no_file(const std::string& path) {
   std::error_code ignored;
@@ -157,20 +161,35 @@ void save_file(const std::string& path, std::string_view bytes) {
 }
 
 void save_files(std::span<const FileBytes> files) {
+  StagedFiles staged;
+  for (const FileBytes& file : files) staged.add(file.path, file.bytes);
+  staged.commit();
+}
+
+class StagedFiles::Files {
+ public:
   std::vector<StagedFile> staged;
-  staged.reserve(files.size());
-  for (const FileBytes& file : files) {
-    if (is_no_file(file.path)) {
-      OpenStream stream(file.path);
-      stream.append(file.bytes);
-      stream.close();
-    } else {
-      staged.emplace_back(file.path);
-      staged.back().append(file.bytes);
-      staged.back().close();
-    }
+};
+
+StagedFiles::StagedFiles() : files_(std::make_unique<Files>()) {}
+StagedFiles::~StagedFiles() = default;
+
+void StagedFiles::add(const std::string& path, std::string_view bytes) {
+  if (is_no_file(path)) {
+    OpenStream stream(path);
+    stream.append(bytes);
+    stream.close();
+    return;
   }
-  for (StagedFile& file : staged) file.put_in_place();
+  StagedFile file(path);
+  file.append(bytes);
+  file.close();
+  files_->staged.push_back(std::move(file));
+}
+
+void StagedFiles::commit() {
+  for (StagedFile& file : files_->staged) file.put_in_place();
+  files_->staged.clear();
 }
 
 class GrowingFile::Target {

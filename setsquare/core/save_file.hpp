@@ -25,6 +25,26 @@ struct FileBytes {
 /// is renamed, in the order given, so that they change together as far as renames can.
 void save_files(std::span<const FileBytes> files);
 
+/// The same, file after file: none of them need be in memory when the next one is made.
+class StagedFiles {
+ public:
+  StagedFiles();
+  /// Removes what was not committed.
+  ~StagedFiles();
+  StagedFiles(const StagedFiles&) = delete;
+  StagedFiles& operator=(const StagedFiles&) = delete;
+
+  /// Written under a temporary name. Throws FileError.
+  void add(const std::string& path, std::string_view bytes);
+
+  /// The files take their names, in their order. Throws FileError.
+  void commit();
+
+ private:
+  class Files;
+  std::unique_ptr<Files> files_;
+};
+
 /// A file that grows piece by piece, for what does not fit into memory; like save_file's it comes
 /// under its name as a whole or not at all. What is no regular file is written to directly.
 class GrowingFile {

@@ -64,7 +64,7 @@ class LiveMapper::Parts {
   Parts(const LiveMapperParams& params, OnMap on_map)
       : params_(params), on_map_(std::move(on_map)), tracker_(params.mapper), map_(params.mapper) {
     if (params.known_map) {
-      map_.add(*params.known_map);
+      map_.go_on_with(*params.known_map);
       num_known_scans_ = map_.num_scans();
       has_changed_ = true;  // It is shown as it is, before the first scan.
       counts_.is_placed = false;

@@ -4,6 +4,7 @@
 
 #include <fmt/core.h>
 
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -81,7 +82,9 @@ LocalizedLog LocalizingSession::run(LogReader& reader) {
   localizer()->finish();
   const std::size_t num_left_out = this->num_left_out();
   const std::lock_guard lock(mutex_);
-  LocalizedLog log = std::move(log_);
+  LocalizedLog log;
+  log.poses.assign(std::make_move_iterator(poses_.begin()), std::make_move_iterator(poses_.end()));
+  log.left_out = left_out_;
   log.name = name_;
   tell_log(reader, options_.localising, log);
   if (num_left_out > 0) {
@@ -130,7 +133,10 @@ void LocalizingSession::take(const LocalisedPose& place) {
   }
   const std::lock_guard lock(mutex_);
   count(place, counts_);
-  if (options_.keeps_poses) log_.poses.push_back(place);
+  poses_.push_back(place);
+  if (poses_.size() <= options_.max_poses) return;
+  count(poses_.front(), left_out_);
+  poses_.pop_front();
 }
 
 std::size_t LocalizingSession::num_left_out() const {

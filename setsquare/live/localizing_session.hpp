@@ -3,7 +3,10 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
+#include <deque>
+#include <limits>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -24,7 +27,9 @@ class LocalizingSession final : public LiveSession {
   struct Options {
     LocalizeLogOptions localising = {};
     double way_period_s = 2.0;  ///< LiveWatcher::on_way is told no more often.
-    bool keeps_poses = true;    ///< Else run() gives none, and memory does not grow.
+    /// Of so many of the newest scans run() gives the poses, and no more memory is taken; of the
+    /// others it counts how they ended (LocalizedLog::left_out). 0: of none.
+    std::size_t max_poses = std::numeric_limits<std::size_t>::max();
     LiveLocalizer::Behind behind = {};
   };
 
@@ -75,9 +80,10 @@ class LocalizingSession final : public LiveSession {
   DrivenWay way_;
   std::chrono::steady_clock::time_point next_way_;
 
-  mutable std::mutex mutex_;  ///< All below.
-  LocalizedLog log_;
-  LocalisationCounts counts_;
+  mutable std::mutex mutex_;         ///< All below.
+  std::deque<LocalisedPose> poses_;  ///< The newest.
+  LocalisationCounts left_out_;      ///< Of the scans before these.
+  LocalisationCounts counts_;        ///< Of all.
   std::size_t num_scans_ = 0;
   std::size_t num_left_out_before_ = 0;       ///< By localizers before this one.
   std::shared_ptr<LiveLocalizer> localizer_;  ///< The last: its thread uses the others.

@@ -120,7 +120,7 @@ void validate(const Map& map) {
   }
   require_each(
       map.forgotten_poses, "forgotten_poses", "names no scan", [&](const ForgottenPoses& gap) {
-        return is_scan(gap.next_scan) && std::isfinite(gap.way_m);
+        return gap.next_scan <= num_scans && std::isfinite(gap.way_m);
       });
   if (!std::ranges::is_sorted(map.forgotten_poses, {}, &ForgottenPoses::next_scan)) {
     throw ParameterError("forgotten_poses", "are not in the order of the scans");

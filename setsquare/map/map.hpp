@@ -152,7 +152,8 @@ struct Map {
   std::size_t num_with_odometry = 0;           ///< Scans that came with a pose by wheel odometry.
   /// Keyframes of places seen before that showed nothing new: they are not among `keyframes`.
   std::size_t num_forgotten = 0;
-  /// Where scans between such keyframes are left out, in the map's order; nowhere unless asked for
+  /// Where scans of known ground are left out, in the map's order: between such keyframes, and
+  /// whole sessions of a map that was gone on with. Of one log nowhere unless asked for
   /// (ForgettingParams::max_known_poses).
   std::vector<ForgottenPoses> forgotten_poses;
   /// Poses of `base` at the keyframes, the motion between them, the accepted closures with their

@@ -26,37 +26,6 @@ std::vector<bool> well_inside(const KeyframeTrack& track,
   return is_inside;
 }
 
-/// Of each keyframe, whether a closure ties it to an earlier one that stays.
-std::vector<bool> held_keyframes(std::span<const std::optional<KnownPlace>> places,
-                                 std::span<const Constraint> closures) {
-  std::vector<bool> is_held(places.size(), false);
-  for (const Constraint& closure : closures) {
-    const auto [earlier, later] = std::minmax(closure.from, closure.to);
-    if (later < places.size() && !places[earlier]) is_held[later] = true;
-  }
-  return is_held;
-}
-
-/// The motion over a run of forgotten keyframes: those from `first` to `last`, which is left.
-MotionCovariance joined_motion(const KeyframeTrack& track,
-                               std::size_t first,
-                               std::size_t last,
-                               const ForgettingParams& params) {
-  double translation_m2 = 0.0;
-  double rotation_rad2 = 0.0;
-  for (std::size_t k = first; k <= last; ++k) {
-    translation_m2 += 0.5 * track.motions[k].translation_m2.trace();
-    rotation_rad2 += track.motions[k].rotation_rad2;
-  }
-  MotionCovariance joined;
-  joined.translation_m2 = std::min(translation_m2, params.known_sigma_m * params.known_sigma_m) *
-                          Eigen::Matrix2d::Identity();
-  joined.rotation_rad2 = std::min(rotation_rad2, params.known_sigma_rad * params.known_sigma_rad);
-  joined.open_stretch = track.motions[last].open_stretch;
-  joined.has_odometry = track.motions[last].has_odometry;
-  return joined;
-}
-
 /// Elements of these indices, which ascend, and no others.
 template <typename Element>
 void keep_elements(std::span<const std::size_t> kept, std::vector<Element>& elements) {
@@ -107,6 +76,35 @@ std::size_t hung_from(std::span<const HungScan> hung, std::size_t scan) {
 }
 
 }  // namespace
+
+MotionCovariance joined_motion(const KeyframeTrack& track,
+                               std::size_t first,
+                               std::size_t last,
+                               const ForgettingParams& params) {
+  double translation_m2 = 0.0;
+  double rotation_rad2 = 0.0;
+  for (std::size_t k = first; k <= last; ++k) {
+    translation_m2 += 0.5 * track.motions[k].translation_m2.trace();
+    rotation_rad2 += track.motions[k].rotation_rad2;
+  }
+  MotionCovariance joined;
+  joined.translation_m2 = std::min(translation_m2, params.known_sigma_m * params.known_sigma_m) *
+                          Eigen::Matrix2d::Identity();
+  joined.rotation_rad2 = std::min(rotation_rad2, params.known_sigma_rad * params.known_sigma_rad);
+  joined.open_stretch = track.motions[last].open_stretch;
+  joined.has_odometry = track.motions[last].has_odometry;
+  return joined;
+}
+
+std::vector<bool> held_keyframes(std::span<const std::optional<KnownPlace>> places,
+                                 std::span<const Constraint> closures) {
+  std::vector<bool> is_held(places.size(), false);
+  for (const Constraint& closure : closures) {
+    const auto [earlier, later] = std::minmax(closure.from, closure.to);
+    if (later < places.size() && !places[earlier]) is_held[later] = true;
+  }
+  return is_held;
+}
 
 std::vector<std::size_t> keyframes_to_keep(const KeyframeTrack& track,
                                            std::span<const std::optional<KnownPlace>> places,
@@ -287,12 +285,16 @@ void renumber_behind(const KnownScans& range,
   }
 }
 
+void turn_by(double turn_rad, MotionCovariance& motion) {
+  motion.translation_m2 = turned(motion.translation_m2, turn_rad);
+  motion.open_sigma_m = turned(motion.open_sigma_m, turn_rad);
+}
+
 KeyframePtr moved_to_odom(const Keyframe& keyframe,
                           const Pose2& T_odom_sensor,
                           MotionCovariance& motion) {
   const double turn_rad = T_odom_sensor.theta_rad - keyframe.T_odom_sensor.theta_rad;
-  motion.translation_m2 = turned(motion.translation_m2, turn_rad);
-  motion.open_sigma_m = turned(motion.open_sigma_m, turn_rad);
+  turn_by(turn_rad, motion);
   Keyframe moved = keyframe;
   moved.T_odom_sensor = T_odom_sensor;
   moved.T_odom_body = T_odom_sensor * (keyframe.T_odom_sensor.inverse() * keyframe.T_odom_body);

@@ -60,6 +60,16 @@ struct TrackedParts {
                                      const ForgettingParams& params,
                                      TrackedParts parts);
 
+/// The motion over a run of forgotten keyframes: those from `first` to `last`, which is left.
+[[nodiscard]] MotionCovariance joined_motion(const KeyframeTrack& track,
+                                             std::size_t first,
+                                             std::size_t last,
+                                             const ForgettingParams& params);
+
+/// Of each keyframe, whether a closure ties it to an earlier one that shows something new.
+[[nodiscard]] std::vector<bool> held_keyframes(std::span<const std::optional<KnownPlace>> places,
+                                               std::span<const Constraint> closures);
+
 /// Scans, one after the other.
 struct KnownScans {
   std::size_t first = 0;
@@ -82,6 +92,9 @@ void renumber_behind(const KnownScans& range,
                      KeyframeTrack& track,
                      std::vector<KeptScan>& kept_scans,
                      std::vector<HungScan>& hung);
+
+/// A motion in an odom frame that is turned.
+void turn_by(double turn_rad, MotionCovariance& motion);
 
 /// A keyframe in another odom frame, with the motion to it.
 [[nodiscard]] KeyframePtr moved_to_odom(const Keyframe& keyframe,

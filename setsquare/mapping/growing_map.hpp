@@ -3,21 +3,18 @@
 #pragma once
 
 #include <cstddef>
-#include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "setsquare/headings/evidence.hpp"
 #include "setsquare/map/map.hpp"
-#include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/known_keyframes.hpp"
 #include "setsquare/mapping/log_tracker.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/map_assembly.hpp"
 #include "setsquare/mapping/map_maker.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
+#include "setsquare/mapping/session_track.hpp"
 #include "setsquare/mapping/tracked_scans.hpp"
 #include "setsquare/mapping/turn_checks.hpp"
 
@@ -28,10 +25,11 @@ namespace setsquare {
 /// was made before and is taken whole.
 ///
 /// 1. Headings: each keyframe's walls measure its heading in the building.
-/// 2. Loops: as the track grows, places near each other are compared (close_loops).
+/// 2. Loops: as the track of a session grows, places near each other are compared (close_loops).
 /// 3. Memory: of places that several visits have covered, keyframes that show nothing new are
-///    forgotten (KnownKeyframes), so that it is bounded by the building and not by the time. Of
-///    sessions of maps that are gone on with, none.
+///    forgotten (KnownKeyframes), so that it is bounded by the building and not by the time. A
+///    session that is tracked forgets by its own visits; what it shows that earlier sessions cover
+///    is forgotten when the map of them all is gone on with (without_known_places).
 /// 4. The map of all so far, when asked for (MapMaker).
 ///
 /// What it does depends on the steps alone, not on when they come: a map that grows behind a robot
@@ -50,6 +48,9 @@ class GrowingMap {
   /// The map that comes first gives the frame. Throws ParameterError where the map does not tell
   /// its track (PaperMapper).
   void add(const Map& map);
+  /// The same of a map that is gone on with: what its sessions show that is known by earlier ones
+  /// is forgotten first.
+  void go_on_with(const Map& map);
 
   /// Sorts the sessions by their stamps for which is the newer one, where stamps tell: where no two
   /// sessions overlap in time. Otherwise they are the newer the later they came.
@@ -66,8 +67,22 @@ class GrowingMap {
   [[nodiscard]] std::size_t num_scans() const { return scans_.size(); }
 
  private:
-  using ScansByIndex = std::map<std::size_t, std::shared_ptr<const Scan>>;  ///< Of Map::scans.
+  /// What is known of the headings, and the loops that are closed.
+  struct Loops {
+    TurnChecks turn_checks;
+    LoopCloser closer;
+  };
+  /// The session that came last, by itself.
+  struct LastSession {
+    explicit LastSession(const MapperParams& params);
 
+    SessionTrack parts;
+    Loops loops;  ///< As far as it has grown.
+    KnownKeyframes known;
+    Pose2 T_odom_tracked;           ///< From tracking's frame: forgetting takes drift off.
+    std::size_t num_closed = 0;     ///< Keyframes when loops were last looked for.
+    std::size_t num_forgotten = 0;  ///< Keyframes.
+  };
   /// What begins with a keyframe.
   struct Begins {
     bool stretch = false;
@@ -83,7 +98,7 @@ class GrowingMap {
   /// Of a scan that is here. Where several scanners leave keyframes, each is one of as many that
   /// show a place: the same walls (share_place) and one step of the track.
   void add_keyframe(TrackedKeyframe tracked, Begins begins);
-  /// Closes loops while one log is tracked; where there are several, all are closed at the end.
+  /// Of the session by itself: what ties it to others is found at the end.
   void close_while_growing();
   /// `headings_rad`: one per keyframe.
   void forget_known(std::span<const double> headings_rad);
@@ -92,11 +107,16 @@ class GrowingMap {
 
   [[nodiscard]] bool holds(const Map& map, const MapSession& session) const;
   void add_session(const Map& map, const MapSession& session);
-  /// `kept`: the session's. Throws ParameterError where a keyframe's is missing.
-  void add_keyframes(const Map& map, const MapSession& session, const ScansByIndex& kept);
+  /// Throws ParameterError where a keyframe's scan is not kept.
+  void add_keyframes(const Map& map, const MapSession& session);
 
   /// The session that waits for its first scan begins.
   void open_session();
+  /// The last session, if it has keyframes, is one of those before another one.
+  void close_session();
+  [[nodiscard]] std::size_t num_forgotten() const {
+    return num_forgotten_before_ + last_.num_forgotten;
+  }
   /// A session without keyframes has no place anywhere.
   [[nodiscard]] bool is_last_session_empty() const;
   void forget_last_session();
@@ -110,20 +130,14 @@ class GrowingMap {
   bool is_map_coming_ = false;  ///< A map's sessions are being added: they stay as they are.
   TrackedScans scans_;
   std::vector<KeptScan> kept_scans_;
-  KeyframeTrack track_;
-  std::vector<double> shares_of_place_;  ///< One per keyframe.
-  std::vector<HeadingEvidence> evidence_;
+  SessionTrack before_;   ///< The sessions before the last one.
+  Loops loops_of_first_;  ///< Of the first of these.
+  LastSession last_;
   std::vector<AnchoredKeyframe> anchors_;
-  TurnChecks turn_checks_;
-  LoopCloser closer_;
-  KnownKeyframes known_;
   std::optional<SettledLoops> settled_;   ///< By a map on the way.
   std::vector<HungScan> hung_scans_;      ///< Of the keyframes that were forgotten, in their order.
   std::vector<ForgottenPoses> gaps_;      ///< Where poses were forgotten.
-  std::size_t num_forgotten_ = 0;         ///< Keyframes, ...
-  std::size_t num_forgotten_before_ = 0;  ///< ... and of these, by the maps that are gone on with.
-  Pose2 T_odom_tracked_;                  ///< From tracking's frame: forgetting takes drift off.
-  std::size_t num_closed_ = 0;            ///< Keyframes when loops were last looked for.
+  std::size_t num_forgotten_before_ = 0;  ///< Keyframes, by the maps that are gone on with.
 };
 
 }  // namespace setsquare

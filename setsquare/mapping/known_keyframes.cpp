@@ -21,11 +21,15 @@ constexpr double kAllAround_rad = rad_from_deg(350.0);
 /// Keeps the steps onto the walls short where no point binds anything.
 constexpr double kStepDamping = 1e-2;
 
-/// The track, its keyframes' places and the way to each.
+/// The track, its keyframes' places and the way to each. From one session to the next it is longer
+/// than that between two visits.
 struct PlacedTrack {
-  PlacedTrack(const KeyframeTrack& of, std::span<const Pose2> poses, double cell_m)
-      : track(of), T_map_sensor(poses), hash(cell_m), way_m(ways_m_of(of)) {
+  PlacedTrack(const KeyframeTrack& of, std::span<const Pose2> poses, const ForgettingParams& params)
+      : track(of), T_map_sensor(poses), hash(params.near_m), way_m(ways_m_of(of)) {
     for (std::size_t k = 0; k < track.size(); ++k) hash.add(T_map_sensor[k].translation(), k);
+    for (const std::size_t begin : track.session_begins) {
+      for (std::size_t k = begin; k < track.size(); ++k) way_m[k] += 2.0 * params.visit_way_m;
+    }
   }
 
   const KeyframeTrack& track;
@@ -112,13 +116,14 @@ std::optional<KnownPlace> place_among(const PlacedTrack& placed,
 }  // namespace
 
 void KnownKeyframes::examine(const KeyframeTrack& track,
+                             std::size_t num_keyframes,
                              std::span<const Pose2> T_map_sensor,
                              std::size_t num_threads) {
   const std::size_t first = places_.size();
-  const PlacedTrack placed(track, T_map_sensor, params_.near_m);
-  places_.resize(track.size());
+  const PlacedTrack placed(track, T_map_sensor, params_);
+  places_.resize(num_keyframes);
   const auto examined = std::span(places_).first(first);
-  run_in_parallel(track.size() - first, num_threads, [&](std::size_t i) {
+  run_in_parallel(num_keyframes - first, num_threads, [&](std::size_t i) {
     const std::size_t k = first + i;
     const std::vector<std::size_t> visits = visits_about(placed, k, examined, params_);
     if (visits.size() < params_.min_visits) return;

@@ -22,15 +22,16 @@ struct KnownPlace {
 /// Finds keyframes that show nothing new: of a place that earlier visits cover, and whose walls
 /// agree with what the last of these visits saw. A visit covers a keyframe with one of its own that
 /// showed something new, stood near, looked the same way (any way where scans go all around), and
-/// is of the same scanner; two visits are some way of driving apart. Each keyframe is examined
-/// once, against those that were examined before.
+/// is of the same scanner; two visits are some way of driving apart, or of two sessions. Each
+/// keyframe is examined once, against those that were examined before.
 class KnownKeyframes {
  public:
   explicit KnownKeyframes(const ForgettingParams& params = {}) : params_(params) {}
 
-  /// Examines the track's keyframes that it has not. `T_map_sensor`: one per keyframe. Any number
-  /// of threads gives the same.
+  /// Examines those of the track's first `num_keyframes` that it has not. `T_map_sensor`: one per
+  /// keyframe. Any number of threads gives the same.
   void examine(const KeyframeTrack& track,
+               std::size_t num_keyframes,
                std::span<const Pose2> T_map_sensor,
                std::size_t num_threads);
 

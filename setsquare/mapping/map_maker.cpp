@@ -22,8 +22,6 @@
 namespace setsquare {
 namespace {
 
-/// A closure of less weight does not establish that two scans see the same place.
-constexpr double kMinRevisitWeight = 0.5;
 /// Tracked motion is made of the scans that registration compares again.
 constexpr double kTrackedMotionWeight = 0.05;
 /// Of the rotation between two pieces that were joined, by matches of scans.
@@ -212,9 +210,17 @@ MapMaker::Closed MapMaker::close_one_piece() const {
 
 MapMaker::Closed MapMaker::close_across_pieces(LoopCloser closer, TurnChecks checks) const {
   const FusedHeadings apart = checks.fuse(log_.track, log_.evidence, params_.heading);
-  const PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
+  PoseGraph graph = pose_graph_of(log_.track, apart.heading_rad);
+  std::span<const AnchoredKeyframe> known;
+  if (log_.stays_joined) {
+    // What is known lies without drift; so does what is compared with it.
+    LoopCloser laid(params_.closing);
+    laid.add_joints(log_.loops_of_last);
+    graph = robust_graph(log_.track, apart.heading_rad, laid, params_);
+    known = log_.anchors;
+  }
   JoinedPieces joined = join_pieces(
-      log_.track, graph.T_map_node, params_.closing, params_.joining, params_.num_threads);
+      log_.track, graph.T_map_node, known, params_.closing, params_.joining, params_.num_threads);
   Closed closed{.turn_checks = std::move(checks),
                 .headings = {},
                 .closer = std::move(closer),

@@ -64,6 +64,10 @@ struct TrackedLog {
   /// The map's frame is the one in which these lie, as well as can be, where they lay. Empty: the
   /// first keyframe stands at the origin.
   const std::vector<AnchoredKeyframe>& anchors;
+  /// What is anchored stays joined as it lies: of what it was joined by, some is forgotten.
+  bool stays_joined = false;
+  /// Loops that the last session closed by itself: then it is looked for as it lies by these.
+  std::span<const ComparedPlaces> loops_of_last;
   const std::vector<HeadingEvidence>& evidence;  ///< One per keyframe.
   const TurnChecks& turn_checks;                 ///< As far as turns have been checked.
   const LoopCloser& closer;                      ///< As far as loops have been closed.

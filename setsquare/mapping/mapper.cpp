@@ -23,7 +23,7 @@ class Mapper::Parts {
 Mapper::Mapper() : Mapper(MapperParams{}) {}
 Mapper::Mapper(const MapperParams& params) : parts_(std::make_unique<Parts>(params)) {}
 Mapper::Mapper(const Map& map, const MapperParams& params) : Mapper(params) {
-  parts_->map.add(map);
+  parts_->map.go_on_with(map);
 }
 Mapper::Mapper(const Map& map) : Mapper(map, MapperParams{}) {}
 Mapper::~Mapper() = default;

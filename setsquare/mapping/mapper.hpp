@@ -45,6 +45,7 @@ class Mapper {
   /// Goes on with a map: the scans that come are of another log, and the robot may stand anywhere.
   /// What was tracked of it is a piece of track like those between which tracking was lost: it is
   /// joined to the map where the two overlap, and stays apart until then (MapSession, TrackPiece).
+  /// What its sessions show that earlier ones of them cover is forgotten first (ForgettingParams).
   /// All loops are closed anew; the map's axes and origin stay. Stamps of the two need not be in
   /// order. Where walls changed, what came later is newer. Throws ParameterError that names the
   /// field, or where the map does not tell its track (PaperMapper).

@@ -22,6 +22,21 @@ void ForgettingParams::validate() const {
   require_positive(known_sigma_rad, "forgetting.known_sigma_rad");
 }
 
+void PieceJoiningParams::validate() const {
+  require_at_least_one(max_num_queries, "joining.max_num_queries");
+  require_at_least_one(num_similar, "joining.num_similar");
+  require_positive(window_m, "joining.window_m");
+  require_at_least_one(min_agreeing, "joining.min_agreeing");
+  require_at_least_one(num_across_lost, "joining.num_across_lost");
+  require_positive(min_votes_across_break, "joining.min_votes_across_break");
+  require_positive(joint_sigma_m, "joining.joint_sigma_m");
+  require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
+  require_positive(agreeing_m, "joining.agreeing_m");
+  require_positive(agreeing_rad, "joining.agreeing_rad");
+  require_not_negative(min_extent_m, "joining.min_extent_m");
+  require_not_negative(max_seen_through, "joining.max_seen_through");
+}
+
 void MapperParams::validate() const {
   tracker.validate();
   mounting.validate();

@@ -170,6 +170,8 @@ struct ForgettingParams {
   /// are left out of the map (Map::forgotten_poses): then its memory does not grow with the time at
   /// all. 0: every scan keeps its pose.
   std::size_t max_known_poses = 0;
+  /// The same of the sessions of a map that is gone on with, all in all, an hour at 10 Hz.
+  std::size_t max_poses_before = 36'000;
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -33,7 +33,7 @@ MapToLocaliseIn read_map_to_localise_in(const std::string& path) {
 }
 
 void count(const LocalisedPose& pose, LocalisationCounts& counts) {
-  const std::size_t num_before = counts.num_localised + counts.num_ambiguous + counts.num_lost;
+  const std::size_t num_before = counts.num_scans();
   counts.num_confirmed += pose.is_confirmed;
   switch (pose.status) {
     case LocalisationStatus::kLocalised:
@@ -50,7 +50,7 @@ void count(const LocalisedPose& pose, LocalisationCounts& counts) {
 }
 
 LocalisationCounts counts_of(const LocalizedLog& log) {
-  LocalisationCounts counts;
+  LocalisationCounts counts = log.left_out;
   for (const LocalisedPose& pose : log.poses) count(pose, counts);
   return counts;
 }

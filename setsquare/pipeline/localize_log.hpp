@@ -38,15 +38,6 @@ struct LocalizeLogOptions {
   LocalisationParams localisation;        ///< Every default works.
 };
 
-/// A log followed in a map.
-struct LocalizedLog {
-  std::vector<LocalisedPose> poses;  ///< One per scan, in the order of the log.
-  std::string name;                  ///< Of the log.
-  std::string format;                ///< Of the log: "CARMEN log", ...
-  std::string sensor;                ///< The scanner's name in the log.
-  LogProblems problems;              ///< What was wrong with the log.
-};
-
 /// How many scans ended in each status.
 struct LocalisationCounts {
   std::size_t num_localised = 0;               ///< LocalisationStatus::kLocalised.
@@ -54,13 +45,27 @@ struct LocalisationCounts {
   std::size_t num_lost = 0;                    ///< LocalisationStatus::kLost.
   std::size_t num_confirmed = 0;               ///< Compared with the map, and agreeing.
   std::optional<std::size_t> first_localised;  ///< Index of the scan.
+
+  [[nodiscard]] std::size_t num_scans() const { return num_localised + num_ambiguous + num_lost; }
 };
+/// A log followed in a map.
+struct LocalizedLog {
+  std::vector<LocalisedPose> poses;  ///< One per scan, in the order of the log.
+  /// Of the scans before these, the oldest, whose poses are left out: live localisation may go on
+  /// for ever. None of a log that is read.
+  LocalisationCounts left_out;
+  std::string name;      ///< Of the log.
+  std::string format;    ///< Of the log: "CARMEN log", ...
+  std::string sensor;    ///< The scanner's name in the log.
+  LogProblems problems;  ///< What was wrong with the log.
+};
+
 /// Counts one more scan.
 void count(const LocalisedPose& pose, LocalisationCounts& counts);
-/// Counted over all scans.
+/// Counted over all scans, those left out, too.
 [[nodiscard]] LocalisationCounts counts_of(const LocalizedLog& log);
 
-/// Poses of the scans that were localised.
+/// Poses of the scans that were localised, but for those left out.
 [[nodiscard]] Trajectory trajectory_of(const LocalizedLog& log, PoseOf pose_of = PoseOf::kBase);
 
 /// Throws ParameterError where a map has no walls or no free space.

@@ -58,7 +58,10 @@ void map_by_default(LogReader& reader, const MapLogWatcher& watcher, MappedLog& 
 void require_something_mapped(const MappedLog& mapped) {
   const MapSummary summary = summary_of(mapped.map);
   const Map* const known = mapped.options.known_map.get();
-  const bool has_grown = known == nullptr || mapped.map.scans.size() > known->scans.size();
+  const auto num_logged = [](const MapSummary& of) {
+    return of.num_scans + of.num_forgotten_poses;
+  };
+  const bool has_grown = known == nullptr || num_logged(summary) > num_logged(summary_of(*known));
   if (summary.num_lost < summary.num_scans && has_grown) return;
   std::string reason =
       !has_grown ? "none of its scans could be mapped: too few returns within range"

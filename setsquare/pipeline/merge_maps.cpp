@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "setsquare/core/error.hpp"
 #include "setsquare/mapping/mapper.hpp"
@@ -14,11 +15,16 @@
 namespace setsquare {
 namespace {
 
-/// The session of a merged map that one of a map became.
+/// The session of a merged map that one of a map became: its first scan and its last one stay,
+/// whatever was forgotten between.
 const MapSession* session_in(const Map& merged, const Map& map, const MapSession& session) {
+  const auto ends_of = [](const Map& of, const MapSession& its) {
+    return its.num_scans == 0 ? std::pair<Timestamp, Timestamp>{}
+                              : std::pair{of.scans[its.first_scan].stamp,
+                                          of.scans[its.first_scan + its.num_scans - 1].stamp};
+  };
   const auto found = std::ranges::find_if(merged.sessions, [&](const MapSession& other) {
-    return other.num_scans == session.num_scans &&
-           merged.scans[other.first_scan].stamp == map.scans[session.first_scan].stamp;
+    return ends_of(merged, other) == ends_of(map, session);
   });
   return found == merged.sessions.end() ? nullptr : &*found;
 }

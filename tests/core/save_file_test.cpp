@@ -11,6 +11,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 #include "setsquare/core/error.hpp"
@@ -25,6 +26,27 @@ class SaveFile : public ::testing::Test {
   const testing::TemporaryFolder temporary_;
   const std::filesystem::path& folder_ = temporary_.path();
 };
+
+TEST_F(SaveFile, StagedFilesComeTogetherOrNotAtAll) {
+  const std::string first = (folder_ / "map.pgm").string();
+  const std::string second = (folder_ / "map.yaml").string();
+  save_file(first, "old");
+  {
+    StagedFiles files;
+    files.add(first, "new");
+    files.add(second, "text");
+    EXPECT_EQ(content_of(first), "old");
+    EXPECT_FALSE(std::filesystem::exists(second));
+  }
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1) << "removed";
+  StagedFiles files;
+  files.add(first, "new");
+  files.add(second, "text");
+  files.commit();
+  EXPECT_EQ(content_of(first), "new");
+  EXPECT_EQ(content_of(second), "text");
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 2);
+}
 
 TEST_F(SaveFile, ReplacesAndLeavesNothingElseBehind) {
   const std::filesystem::path path = folder_ / "picture.svg";

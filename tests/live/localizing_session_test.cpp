@@ -93,7 +93,7 @@ TEST_F(LocalizedRoom, TheWayIsToldAndAPosePerScan) {
   Trajectory way;
   LocalizingSession session("other",
                             map_to_localise_in(*grid_),
-                            {.way_period_s = 1e-6, .keeps_poses = false},
+                            {.way_period_s = 1e-6, .max_poses = 0},
                             {.on_pose = [&](const LogRecord&, const LivePose&) { ++num_poses; },
                              .on_way = [&](const Trajectory& told) { way = told; }});
   EXPECT_TRUE(session.run(log).poses.empty());
@@ -102,6 +102,24 @@ TEST_F(LocalizedRoom, TheWayIsToldAndAPosePerScan) {
   for (std::size_t i = 1; i < way.size(); ++i) {
     EXPECT_LT((way[i].pose.translation() - way[i - 1].pose.translation()).norm(), 0.3) << i;
   }
+}
+
+// Memory does not grow for ever: of the oldest scans no more than how they ended is known.
+TEST_F(LocalizedRoom, TheNewestPosesStay) {
+  RoomLog log = other_log();
+  RoomLog same = other_log();
+  LocalizingSession session("other", map_to_localise_in(*grid_), {.max_poses = 30}, {});
+  const LocalizedLog bounded = session.run(log);
+  const LocalizedLog all = localize_log(same, "other", std::make_shared<const KnownMap>(*grid_));
+  ASSERT_EQ(bounded.poses.size(), 30U);
+  EXPECT_EQ(bounded.left_out.num_scans(), all.poses.size() - 30);
+  for (std::size_t i = 0; i < 30; ++i) {
+    EXPECT_EQ(bounded.poses[i].T_map_base, all.poses[all.poses.size() - 30 + i].T_map_base) << i;
+  }
+  const LocalisationCounts counts = counts_of(bounded);
+  EXPECT_EQ(counts.num_localised, counts_of(all).num_localised);
+  EXPECT_EQ(counts.num_confirmed, counts_of(all).num_confirmed);
+  EXPECT_EQ(counts.first_localised, counts_of(all).first_localised);
 }
 
 TEST_F(LocalizedRoom, AResetForgetsWhereItWas) {

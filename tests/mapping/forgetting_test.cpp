@@ -198,7 +198,7 @@ TEST(Forgetting, KeepsWhatShowsThatWallsChanged) {
   EXPECT_TRUE(std::ranges::any_of(map.keyframes, is_beside_it));
 }
 
-TEST(Forgetting, AMapThatIsGoneOnWithStaysAsItIs) {
+TEST(Forgetting, AMapThatIsGoneOnWithByNothingStaysAsItIs) {
   const Map grown = Patrol(7).mapped(false);
   MapperParams params;
   params.audit.is_on = false;

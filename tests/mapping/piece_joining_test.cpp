@@ -53,7 +53,7 @@ PiecedTrack lay_out(const std::vector<Piece>& pieces) {
 JoinedPieces join(const PiecedTrack& pieced,
                   std::size_t num_threads = 1,
                   const PieceJoiningParams& params = {}) {
-  return join_pieces(pieced.track, pieced.T_map_sensor, {}, params, num_threads);
+  return join_pieces(pieced.track, pieced.T_map_sensor, {}, {}, params, num_threads);
 }
 
 std::vector<Pose2> round_the_room() { return spaced(drive(testing::way_around_the_room())); }
@@ -203,6 +203,7 @@ TEST(PieceJoining, AsksForNoMorePlacesThanAllowed) {
     const JoinedPieces joined = join_pieces(pieced.track,
                                             pieced.T_map_sensor,
                                             {},
+                                            {},
                                             {.max_num_queries = max_num_queries, .min_agreeing = 1},
                                             1);
     std::set<std::size_t> sought;
@@ -220,7 +221,7 @@ TEST(PieceJoining, APieceOfFewPlacesStaysApart) {
                                       {testing::l_shaped_room(), short_way, {}, {30.0, 0.0, 1.0}}});
   const auto is_joined = [&](std::size_t min_agreeing) -> bool {
     const PieceJoiningParams params{.min_agreeing = min_agreeing};
-    return join_pieces(pieced.track, pieced.T_map_sensor, {}, params, 1).is_joined[1];
+    return join_pieces(pieced.track, pieced.T_map_sensor, {}, {}, params, 1).is_joined[1];
   };
   EXPECT_TRUE(is_joined(3));
   EXPECT_FALSE(is_joined(5));
@@ -250,7 +251,7 @@ TEST(PieceJoining, NoTrackNoPieces) { EXPECT_TRUE(join({}).is_joined.empty()); }
 
 TEST(PieceJoining, RefusesParametersThatAreNone) {
   const PieceJoiningParams no_queries{.max_num_queries = 0};
-  EXPECT_THROW(static_cast<void>(join_pieces({}, {}, {}, no_queries, 1)), ParameterError);
+  EXPECT_THROW(static_cast<void>(join_pieces({}, {}, {}, {}, no_queries, 1)), ParameterError);
 }
 
 }  // namespace setsquare::piece_joining_test

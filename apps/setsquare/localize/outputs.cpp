@@ -79,13 +79,14 @@ std::string run_json_of(const LocalizedLog& log, const std::string& map_name, Po
                                  {"sensor", log.sensor},
                                  {"map", map_name},
                                  {"pose_of", pose_of == PoseOf::kSensor ? "sensor" : "base"},
-                                 {"scans", log.poses.size()},
+                                 {"scans", counts.num_scans()},
                                  {"localised", counts.num_localised},
                                  {"ambiguous", counts.num_ambiguous},
                                  {"lost", counts.num_lost},
                                  {"confirmed", counts.num_confirmed}};
   json["first_localised"] = counts.first_localised ? nlohmann::ordered_json(*counts.first_localised)
                                                    : nlohmann::ordered_json(nullptr);
+  if (log.left_out.num_scans() > 0) json["forgotten_poses"] = log.left_out.num_scans();
   return json.dump(2) + "\n";
 }
 

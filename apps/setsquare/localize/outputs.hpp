@@ -17,8 +17,8 @@ namespace setsquare::app {
 /// A file's name and bytes.
 using NamedBytes = std::pair<std::string, std::string>;
 
-/// trajectory.tum (of the scans that were localised), localisation.tsv (a row per scan),
-/// localisation.png (the map and the way) and run.json.
+/// trajectory.tum (of the scans that were localised), localisation.tsv (a row per scan that has a
+/// pose), localisation.png (the map and the way) and run.json.
 [[nodiscard]] std::vector<NamedBytes> localize_outputs(const LocalizedLog& log,
                                                        const OccupancyGrid& grid,
                                                        const std::string& map_name,

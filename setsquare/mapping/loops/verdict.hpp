@@ -64,6 +64,9 @@ struct ComparedPlaces {
                                            double point_sigma_m,
                                            const ClosureVerdictParams& params);
 
+/// A closure of less weight does not establish that two scans see the same place.
+inline constexpr double kMinRevisitWeight = 0.5;
+
 /// Places that a match of two scans ties, accepted as it is. `information`: as in Constraint.
 [[nodiscard]] ComparedPlaces matched_places(std::size_t from,
                                             std::size_t to,

@@ -13,7 +13,7 @@
 
 #include "setsquare/core/median.hpp"
 #include "setsquare/core/parallel.hpp"
-#include "setsquare/core/parameter_checks.hpp"
+#include "setsquare/mapping/pieces/known_joints.hpp"
 #include "setsquare/mapping/pieces/place_signature.hpp"
 #include "setsquare/mapping/pieces/twin.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
@@ -39,17 +39,11 @@ struct Proposal {
   ComparedPlaces places;
 };
 
-/// Of a joint by the match of two scans.
-Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params) {
-  const double per_m2 = 1.0 / (params.joint_sigma_m * params.joint_sigma_m);
-  const double per_rad2 = 1.0 / (params.joint_sigma_rad * params.joint_sigma_rad);
-  return Eigen::Vector3d(per_m2, per_m2, per_rad2).asDiagonal();
-}
-
 class PieceJoiner {
  public:
   PieceJoiner(const KeyframeTrack& track,
               std::span<const Pose2> T_map_sensor,
+              std::span<const AnchoredKeyframe> known,
               const LoopCloserParams& closing,
               const PieceJoiningParams& params,
               std::size_t num_threads)
@@ -67,7 +61,9 @@ class PieceJoiner {
     joined_.is_joined.assign(num_pieces, false);
     joined_.searches.resize(num_pieces);
     const std::size_t spacing = closing.station_spacing * track.num_scanners();
+    lay_known(known, T_map_sensor_);
     for (std::size_t k = 0; k < track.size(); k += spacing) add_place(k);
+    join_known(known);
   }
 
   JoinedPieces join_all() {
@@ -100,6 +96,19 @@ class PieceJoiner {
     const Submap submap = make_submap(track_, T_map_sensor_, keyframe, half_width_);
     places_[track_.pieces[keyframe]].push_back(
         {keyframe, place_signature(submap.fine, T_map_sensor_[keyframe].theta_rad)});
+  }
+
+  /// Joins the pieces that a map has joined.
+  void join_known(std::span<const AnchoredKeyframe> known) {
+    for (const std::vector<ComparedPlaces>& of_piece : known_joints(track_, known, params_)) {
+      std::vector<Proposal> joints(of_piece.size());
+      for (std::size_t i = 0; i < joints.size(); ++i) {
+        joints[i].known = of_piece[i].from;
+        joints[i].sought = of_piece[i].to;
+        joints[i].places = of_piece[i];
+      }
+      merge(group_of(joints.front().sought), group_of(joints.front().known), joints);
+    }
   }
 
   [[nodiscard]] std::size_t group_of(std::size_t keyframe) const {
@@ -468,28 +477,14 @@ class PieceJoiner {
 
 }  // namespace
 
-void PieceJoiningParams::validate() const {
-  require_at_least_one(max_num_queries, "joining.max_num_queries");
-  require_at_least_one(num_similar, "joining.num_similar");
-  require_positive(window_m, "joining.window_m");
-  require_at_least_one(min_agreeing, "joining.min_agreeing");
-  require_at_least_one(num_across_lost, "joining.num_across_lost");
-  require_positive(min_votes_across_break, "joining.min_votes_across_break");
-  require_positive(joint_sigma_m, "joining.joint_sigma_m");
-  require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
-  require_positive(agreeing_m, "joining.agreeing_m");
-  require_positive(agreeing_rad, "joining.agreeing_rad");
-  require_not_negative(min_extent_m, "joining.min_extent_m");
-  require_not_negative(max_seen_through, "joining.max_seen_through");
-}
-
 JoinedPieces join_pieces(const KeyframeTrack& track,
                          std::span<const Pose2> T_map_sensor,
+                         std::span<const AnchoredKeyframe> known,
                          const LoopCloserParams& closing,
                          const PieceJoiningParams& params,
                          std::size_t num_threads) {
   params.validate();
-  return PieceJoiner(track, T_map_sensor, closing, params, num_threads).join_all();
+  return PieceJoiner(track, T_map_sensor, known, closing, params, num_threads).join_all();
 }
 
 }  // namespace setsquare

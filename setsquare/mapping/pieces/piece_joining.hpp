@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "setsquare/map/map_track.hpp"
+#include "setsquare/mapping/anchored_keyframes.hpp"
 #include "setsquare/mapping/keyframe_track.hpp"
 #include "setsquare/mapping/loops/loop_closer.hpp"
 #include "setsquare/mapping/mapper_params.hpp"
@@ -26,6 +27,7 @@ struct JoinedPieces {
 
 /// Finds where pieces of track belong that tracking could not tie to each other.
 ///
+/// 0. Pieces that a map has joined lie as they lay there.
 /// 1. Across each break of a session the keyframes just before and just after are matched without a
 /// guess, pair
 ///    by pair; where they agree, the pieces hang together.
@@ -38,9 +40,11 @@ struct JoinedPieces {
 /// 5. A piece of another session only if they are not all of one room, and what both saw beside
 /// them
 ///    is the same, too: nothing else tells apart two rooms that are alike.
-/// `T_map_sensor`: one per keyframe, right within each piece. Throws ParameterError.
+/// `T_map_sensor`: one per keyframe, right within each piece. `known`: keyframes that lie in a map,
+/// in their order, whose pieces are not looked for again. Throws ParameterError.
 [[nodiscard]] JoinedPieces join_pieces(const KeyframeTrack& track,
                                        std::span<const Pose2> T_map_sensor,
+                                       std::span<const AnchoredKeyframe> known,
                                        const LoopCloserParams& closing,
                                        const PieceJoiningParams& params,
                                        std::size_t num_threads);

@@ -94,22 +94,18 @@ std::vector<std::string> save_map(const Map& map,
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error) throw FileError(folder, "cannot be made: " + error.message());
-  std::vector<std::string> names;
-  std::vector<std::string> contents;
-  make_map_files(map, options, [&](const std::string& name, std::string_view bytes) {
-    names.push_back(name);
-    contents.emplace_back(bytes);
-  });
   const std::filesystem::path pieces = std::filesystem::path(folder) / "pieces";
-  const bool has_pieces = std::ranges::any_of(
-      names, [](const std::string& name) { return name.starts_with("pieces/"); });
+  const bool has_pieces =
+      std::ranges::any_of(map.pieces, [](const TrackPiece& piece) { return !piece.is_joined; });
   if (has_pieces) std::filesystem::create_directories(pieces, error);
   if (error) throw FileError(pieces.string(), "cannot be made: " + error.message());
-  std::vector<FileBytes> files;
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    files.push_back({(std::filesystem::path(folder) / names[i]).string(), contents[i]});
-  }
-  save_files(files);
+  std::vector<std::string> names;
+  StagedFiles files;
+  make_map_files(map, options, [&](const std::string& name, std::string_view bytes) {
+    names.push_back(name);
+    files.add((std::filesystem::path(folder) / name).string(), bytes);
+  });
+  files.commit();
   // A set is of one map: what the last one had and this one has not goes.
   for (const char* name : {"graph.g2o", "closures.tsv", "report.html", "timing.json"}) {
     if (std::ranges::find(names, name) != names.end()) continue;
