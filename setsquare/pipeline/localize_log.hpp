@@ -46,6 +46,7 @@ struct LocalisationCounts {
   std::size_t num_confirmed = 0;               ///< Compared with the map, and agreeing.
   std::optional<std::size_t> first_localised;  ///< Index of the scan.
 
+  /// All of them.
   [[nodiscard]] std::size_t num_scans() const { return num_localised + num_ambiguous + num_lost; }
 };
 /// A log followed in a map.
