@@ -32,8 +32,7 @@ bool is_within(const ExpectedStep& step, const Pose2& T_odom_sensor) {
 std::optional<StepReach> departure_from(const ExpectedStep& step, const Pose2& T_odom_sensor) {
   const bool has_odometry = step.by != ExpectedStep::By::kLastMotion;
   if (!has_odometry || is_within(step, T_odom_sensor)) return std::nullopt;
-  const Pose2 off = step.T_odom_sensor.inverse() * T_odom_sensor;
-  return StepReach{std::hypot(off.x_m, off.y_m), std::abs(off.theta_rad)};
+  return reach_of(step.T_odom_sensor.inverse() * T_odom_sensor);
 }
 
 bool is_refuted(const AgreedPlace& place,

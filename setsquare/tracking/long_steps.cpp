@@ -3,7 +3,6 @@
 #include "setsquare/tracking/long_steps.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "setsquare/core/parameter_checks.hpp"
 
@@ -20,7 +19,7 @@ void LongStepParams::validate() const {
 }
 
 void LongSteps::add(const Pose2& step) {
-  steps_.push_back({std::hypot(step.x_m, step.y_m), std::abs(step.theta_rad)});
+  steps_.push_back(reach_of(step));
   num_long_ += is_long(steps_.back()) ? 1 : 0;
   if (steps_.size() <= params_.num_steps) return;
   num_long_ -= is_long(steps_.front()) ? 1 : 0;

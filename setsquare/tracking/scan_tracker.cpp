@@ -20,6 +20,14 @@
 #include "setsquare/tracking/submap_refinement.hpp"
 
 namespace setsquare {
+namespace {
+
+/// Whether tracking followed a scan, without a jump.
+bool is_followed(TrackStatus status) {
+  return status == TrackStatus::kTracked || status == TrackStatus::kDegenerate;
+}
+
+}  // namespace
 
 ScanTracker::ScanTracker(const ScanTrackerParams& params)
     : params_(params),
@@ -193,10 +201,7 @@ void ScanTracker::add_step(const TrackedPose& tracked, Situation situation) {
 
 void ScanTracker::compare_gyro(const Scan& scan, const TrackedPose& tracked) {
   const Placed now{
-      scan.stamp,
-      tracked.T_odom_sensor,
-      tracked.T_odom_body,
-      tracked.status == TrackStatus::kTracked || tracked.status == TrackStatus::kDegenerate};
+      scan.stamp, tracked.T_odom_sensor, tracked.T_odom_body, is_followed(tracked.status)};
   if (last_.is_tracked && now.is_tracked) {
     gyro_.compare(last_.stamp,
                   now.stamp,
@@ -300,15 +305,18 @@ void ScanTracker::add_departure(const ExpectedStep& step, TrackedPose& tracked) 
   if (long_steps_.are_usual()) tracked.has_odometry = false;  // It did not predict this one.
 }
 
+SubmapFit ScanTracker::refined_at(const Pose2& place, const SurfaceSamples& points) {
+  const TrackingProblem at_place{submap_images_, points, place, params_.trust_in_odometry, marks_};
+  return refine_in_submap(at_place, place, params_.refinement);
+}
+
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
                                          const Pose2& place,
                                          const std::optional<SubmapFit>& tracked) {
   const bool is_where_expected = tracked && tracked->alignment.score() >= least_score(*tracked) &&
                                  is_same_place(place, tracked->T_odom_sensor, params_.votes);
   if (is_where_expected) return judged(problem, *tracked, false);
-  const TrackingProblem at_place{
-      problem.submap, problem.points, place, params_.trust_in_odometry, problem.marks};
-  SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
+  SubmapFit fit = refined_at(place, problem.points);
   if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
   return answer_of(fit, params_.refinement);
 }
@@ -361,9 +369,8 @@ TrackedPose ScanTracker::seconded_by_last_scan(ArrivedScan& scan,
                                                const Pose2& predicted,
                                                TrackedPose tracked) {
   const JoltParams& params = params_.jolts;
-  const bool is_placed = tracked.status == TrackStatus::kTracked ||
-                         tracked.status == TrackStatus::kDegenerate;  // Without a jump.
-  const bool is_asked = is_placed && last_.is_tracked && !long_steps_.are_usual() &&
+  const bool is_asked = is_followed(tracked.status) && last_.is_tracked &&
+                        !long_steps_.are_usual() &&
                         is_jolt(predicted, tracked.T_odom_sensor, params);
   if (!is_asked) return tracked;
   const ScanSurfacesPtr last = scan_surfaces(
@@ -375,15 +382,12 @@ TrackedPose ScanTracker::seconded_by_last_scan(ArrivedScan& scan,
   if (!is_contradicted(predicted, tracked.T_odom_sensor, place, params)) return tracked;
   if (match.status == MatchStatus::kMatched && scan.scan().num_beams() >= params.min_beams) {
     const SurfaceSamples points = scan.all_points();
-    const TrackingProblem at_place{
-        submap_images_, points, place, params_.trust_in_odometry, marks_};
-    const SubmapFit fit = refine_in_submap(at_place, place, params_.refinement);
+    const SubmapFit fit = refined_at(place, points);
     const bool stays =
         !is_beyond(place.inverse() * fit.T_odom_sensor, params.same_m, params.same_rad);
     if (stays && fit.alignment.score() > tracked.score) return answer_of(fit, params_.refinement);
   }
-  const Pose2 off = place.inverse() * tracked.T_odom_sensor;
-  tracked.departure = {std::hypot(off.x_m, off.y_m), std::abs(off.theta_rad)};
+  tracked.departure = reach_of(place.inverse() * tracked.T_odom_sensor);
   return tracked;
 }
 
