@@ -182,6 +182,9 @@ struct TurnCheckParams {
   double agreeing_rad = rad_from_deg(2.0);    ///< Rotations that differ less are the same.
   std::size_t min_slip_matches = 3;           ///< Matches that tell the same slip.
   double slip_sigma_rad = rad_from_deg(0.5);  ///< Of a slip that matches have told.
+  /// A match that leaves something open, the way along a bare corridor mostly, confirms a rotation
+  /// where it is so probable. It measures no slip.
+  double min_degenerate_probability = 0.99;
   /// A turn that no match decides is held for another wing where tracking would have slipped by
   /// more than so many standard deviations.
   double unlikely_slip_sigmas = 6.0;

@@ -18,6 +18,7 @@ void TurnCheckParams::validate() const {
   require_positive(agreeing_rad, "agreeing_rad");
   require_positive(slip_sigma_rad, "slip_sigma_rad");
   require_positive(unlikely_slip_sigmas, "unlikely_slip_sigmas");
+  require_positive(min_degenerate_probability, "min_degenerate_probability");
   if (longest_hop < 1) throw ParameterError("longest_hop", "must be at least 1");
 }
 
@@ -31,24 +32,34 @@ bool sees_walls(const Keyframe& keyframe, std::size_t min_beams) {
 
 }  // namespace
 
+/// What a match says of the turn between two keyframes.
+struct TurnChecks::SeenTurn {
+  double beyond_rad = 0.0;  ///< By how much more the robot turned than is known.
+  bool is_matched = false;  ///< Else degenerate: it may confirm, but measures nothing.
+};
+
 /// Matches of a track's keyframes, each scan prepared once.
 class TurnChecks::Matches {
  public:
-  Matches(const KeyframeTrack& track, std::size_t min_beams)
-      : track_(track), min_beams_(min_beams) {}
+  Matches(const KeyframeTrack& track, const TurnCheckParams& params)
+      : track_(track), params_(params) {}
 
   [[nodiscard]] std::size_t size() const { return track_.size(); }
   /// How far keyframe b is turned against a beyond what was tracked; nothing where they do not
   /// match, or where nothing was tracked between them.
-  [[nodiscard]] std::optional<double> beyond_tracked_rad(std::size_t a, std::size_t b) {
+  [[nodiscard]] std::optional<SeenTurn> beyond_tracked(std::size_t a, std::size_t b) {
     if (track_.pieces[a] != track_.pieces[b]) return std::nullopt;
-    if (!sees_walls(*track_.keyframes[a], min_beams_)) return std::nullopt;
-    if (!sees_walls(*track_.keyframes[b], min_beams_)) return std::nullopt;
+    if (!sees_walls(*track_.keyframes[a], params_.min_beams)) return std::nullopt;
+    if (!sees_walls(*track_.keyframes[b], params_.min_beams)) return std::nullopt;
     const MatchResult result = match(prepared(a), prepared(b));
-    if (result.status != MatchStatus::kMatched) return std::nullopt;
+    const bool is_matched = result.status == MatchStatus::kMatched;
+    const bool is_probable = result.status == MatchStatus::kDegenerate &&
+                             result.probability >= params_.min_degenerate_probability;
+    if (!is_matched && !is_probable) return std::nullopt;
     const double tracked_rad =
         track_.keyframes[b]->T_odom_sensor.theta_rad - track_.keyframes[a]->T_odom_sensor.theta_rad;
-    return wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad);
+    return SeenTurn{.beyond_rad = wrap_to_pi(result.T_reference_current->theta_rad - tracked_rad),
+                    .is_matched = is_matched};
   }
 
  private:
@@ -59,7 +70,7 @@ class TurnChecks::Matches {
   }
 
   const KeyframeTrack& track_;
-  std::size_t min_beams_;
+  const TurnCheckParams& params_;
   std::map<std::size_t, PreparedScan> prepared_;
 };
 
@@ -76,19 +87,24 @@ std::vector<HeadingEvidence> TurnChecks::checked(std::vector<HeadingEvidence> ev
   return evidence;
 }
 
-std::optional<double> TurnChecks::beyond_known_rad(std::size_t a,
-                                                   std::size_t b,
-                                                   Matches& matches) const {
-  std::optional<double> beyond_rad = matches.beyond_tracked_rad(a, b);
-  if (!beyond_rad) return std::nullopt;
-  for (std::size_t k = a + 1; k <= b; ++k) *beyond_rad -= steps_[k].slip_rad;
-  return wrap_to_pi(*beyond_rad);
+std::optional<TurnChecks::SeenTurn> TurnChecks::beyond_known(std::size_t a,
+                                                             std::size_t b,
+                                                             Matches& matches) const {
+  std::optional<SeenTurn> seen = matches.beyond_tracked(a, b);
+  if (!seen) return std::nullopt;
+  for (std::size_t k = a + 1; k <= b; ++k) seen->beyond_rad -= steps_[k].slip_rad;
+  seen->beyond_rad = wrap_to_pi(seen->beyond_rad);
+  return seen;
+}
+
+bool TurnChecks::agrees(const SeenTurn& seen) const {
+  return std::abs(seen.beyond_rad) < params_.agreeing_rad;
 }
 
 void TurnChecks::hop_along(const DoubtedTurn& turn, Matches& matches) {
   const auto confirms = [&](std::size_t a, std::size_t b) {
-    const std::optional<double> beyond_rad = beyond_known_rad(a, b, matches);
-    return beyond_rad && std::abs(*beyond_rad) < params_.agreeing_rad;
+    const std::optional<SeenTurn> seen = beyond_known(a, b, matches);
+    return seen && agrees(*seen);
   };
   for (std::size_t a = turn.from; a < turn.to;) {
     std::size_t hop = std::min(params_.longest_hop, turn.to - a);
@@ -108,10 +124,11 @@ void TurnChecks::bridge(const DoubtedTurn& gap, Matches& matches) {
   for (std::size_t hop = gap.to - gap.from; hop <= longest_hop; ++hop) {
     const std::size_t last = std::min(gap.from, matches.size() - 1 - hop);
     for (std::size_t a = std::max(gap.to, hop) - hop; a <= last; ++a) {
-      const std::optional<double> beyond_rad = beyond_known_rad(a, a + hop, matches);
-      if (!beyond_rad) continue;
-      if (slips_rad.empty() && std::abs(*beyond_rad) < params_.agreeing_rad) return settle(0.0);
-      slips_rad.push_back(*beyond_rad);
+      const std::optional<SeenTurn> seen = beyond_known(a, a + hop, matches);
+      if (!seen) continue;
+      if (slips_rad.empty() && agrees(*seen)) return settle(0.0);
+      if (!seen->is_matched) continue;
+      slips_rad.push_back(seen->beyond_rad);
       if (slips_rad.size() < params_.min_slip_matches) continue;
       std::sort(slips_rad.begin(), slips_rad.end());
       if (slips_rad.back() - slips_rad.front() > params_.agreeing_rad) return;
@@ -141,7 +158,7 @@ FusedHeadings TurnChecks::fuse(const KeyframeTrack& track,
                                const std::vector<HeadingEvidence>& evidence,
                                const HeadingFusionParams& params) {
   steps_.resize(std::max(steps_.size(), evidence.size()));
-  Matches matches(track, params_.min_beams);
+  Matches matches(track, params_);
   FusedHeadings fused = fuse_headings(checked(evidence), params);
   for (int round = 0; round < params_.max_rounds; ++round) {
     bool is_new = false;

@@ -42,6 +42,7 @@ class TurnChecks {
     bool is_confirmed = false;
     double slip_rad = 0.0;  ///< How far it turned beyond what was tracked.
   };
+  struct SeenTurn;
   class Matches;
 
   /// What is known of the steps put into the evidence.
@@ -56,9 +57,11 @@ class TurnChecks {
                                               const std::vector<HeadingEvidence>& evidence,
                                               const HeadingFusionParams& params) const;
   /// How far keyframe b is turned against a beyond what was tracked and the slips known so far.
-  [[nodiscard]] std::optional<double> beyond_known_rad(std::size_t a,
-                                                       std::size_t b,
-                                                       Matches& matches) const;
+  [[nodiscard]] std::optional<SeenTurn> beyond_known(std::size_t a,
+                                                     std::size_t b,
+                                                     Matches& matches) const;
+  /// Whether the robot turned as far as is known.
+  [[nodiscard]] bool agrees(const SeenTurn& seen) const;
   /// Confirms the steps of a turn from match to match.
   void hop_along(const DoubtedTurn& turn, Matches& matches);
   /// Steps that this left open: confirmed by a match across all of them, or slipped, where several

@@ -119,6 +119,59 @@ TEST(TurnChecks, ATrackShorterThanTheLongestHopIsChecked) {
   EXPECT_FALSE(fused.doubted.empty());
 }
 
+constexpr std::size_t kNumKeyframes = 8;
+
+/// A drive along a corridor with a few flat pilasters, exactly tracked, of which somebody says that
+/// the walls turn by 20 deg halfway.
+Track corridor_whose_walls_seem_to_turn() {
+  const std::vector<testing::Wall> walls = {{0.0, 0.0, 12.0, 0.0},
+                                            {0.0, 1.5, 12.0, 1.5},
+                                            {8.0, 0.0, 8.0, 0.1},
+                                            {8.0, 0.1, 8.6, 0.1},
+                                            {8.6, 0.1, 8.6, 0.0},
+                                            {5.3, 1.5, 5.3, 1.4},
+                                            {5.3, 1.4, 5.9, 1.4},
+                                            {5.9, 1.4, 5.9, 1.5},
+                                            {9.7, 0.0, 9.7, 0.1},
+                                            {9.7, 0.1, 10.3, 0.1},
+                                            {10.3, 0.1, 10.3, 0.0}};
+  Track made;
+  for (std::size_t k = 0; k < kNumKeyframes; ++k) {
+    made.truth.push_back({2.0 + 0.4 * static_cast<double>(k), 0.7, 0.0});
+  }
+  made.track = testing::track_in_world(walls, made.truth, 0.01);
+  for (std::size_t k = 0; k < kNumKeyframes; ++k) {
+    const double walls_rad = k < kNumKeyframes / 2 ? 0.0 : rad_from_deg(20.0);
+    made.evidence.push_back(
+        {.step_sigma_rad = 0.002,
+         .proposals = {
+             {.heading_rad = walls_rad, .sigma_rad = rad_from_deg(0.2), .confidence = 1.0}}});
+  }
+  return made;
+}
+
+// Matches in a bare corridor leave the way along it open, not the rotation.
+TEST(TurnChecks, DegenerateMatchesConfirmARotation) {
+  const Track track = corridor_whose_walls_seem_to_turn();
+  constexpr double kNever = 2.0;
+  const TurnChecks without({.min_degenerate_probability = kNever});
+  EXPECT_FALSE(TurnChecks(without).fuse(track.track, track.evidence, {}).doubted.empty());
+  EXPECT_TRUE(TurnChecks().fuse(track.track, track.evidence, {}).doubted.empty());
+}
+
+TEST(TurnChecks, DegenerateMatchesMeasureNoSlip) {
+  Track track = corridor_whose_walls_seem_to_turn();
+  for (std::size_t k = kNumKeyframes / 2; k < kNumKeyframes; ++k) {
+    const Keyframe& keyframe = *track.track.keyframes[k];
+    Pose2 T_odom_slipped = keyframe.T_odom_sensor;
+    T_odom_slipped.theta_rad += rad_from_deg(20.0);
+    track.track.keyframes[k] = testing::make_keyframe(*keyframe.scan, T_odom_slipped, k);
+    track.evidence[k].tracked_heading_rad = T_odom_slipped.theta_rad;
+    track.evidence[k].proposals.front().heading_rad = 0.0;
+  }
+  EXPECT_FALSE(TurnChecks().fuse(track.track, track.evidence, {}).doubted.empty());
+}
+
 // Sixteen beams hit a corner here and a wall there: their walls turn where nothing turns, and a few
 // returns lie on something however two scans are laid onto each other.
 TEST(TurnChecks, ScansOfFewBeamsConfirmNothing) {
