@@ -120,6 +120,46 @@ void visit_rooms(std::uint64_t seed, std::size_t num_pairs, const VisitPair& vis
   }
 }
 
+void visit_corridor_ends(std::uint64_t seed, std::size_t num_pairs, const VisitPair& visit) {
+  std::mt19937_64 generator(seed);
+  const testing::Fan fan{181, rad_from_deg(-90), rad_from_deg(1.0)};
+  for (std::size_t k = 0; k < num_pairs; ++k) {
+    const double noise_m = std::uniform_real_distribution<double>(0.01, 0.02)(generator);
+    const auto look = [&](const std::vector<testing::Wall>& walls, const Pose2& T) {
+      return prepare(testing::scan_of_walls(walls, T, fan, noise_m, generator()));
+    };
+    const auto one = testing::end_of_a_corridor(generator);
+    const auto other = testing::end_of_a_corridor(generator);
+    const Pose2 a = testing::pose_before_the_end(generator);
+    const Pose2 b = testing::pose_before_the_end(generator);
+    const PreparedScan reference = look(one, a);
+    visit({reference, look(other, b), std::nullopt});
+    visit({reference, look(one, b), a.inverse() * b, 0.0, true});
+  }
+}
+
+void visit_many_strangers(const ScannerModel& scanner, Seeds seeds, const VisitPair& visit) {
+  constexpr std::uint64_t kOthers = 50'000;  // Seeds of the buildings that a seed is compared with.
+  RunParams params;
+  params.scanner = scanner;
+  for (std::uint64_t seed = seeds.first; seed < seeds.first + seeds.count; ++seed) {
+    std::vector<std::vector<PreparedScan>> others;
+    for (const BuildingClass of : kAllBuildingClasses) {
+      others.push_back(prepared_scans(simulate_study_run(of, seed + kOthers, params)));
+    }
+    for (const BuildingClass of : kAllBuildingClasses) {
+      const auto scans = prepared_scans(simulate_study_run(of, seed, params));
+      for (const auto& other : others) {
+        for (std::size_t i = seed % 2; i < scans.size(); i += 2) {
+          for (std::size_t j = (i + seed) % 4; j < other.size(); j += 4) {
+            visit({scans[i], other[j], std::nullopt});
+          }
+        }
+      }
+    }
+  }
+}
+
 void visit_real_loops(const std::string& data_folder, const VisitPair& visit) {
   for (const std::string name : kLogs) {
     const Scans scans = read_scans(data_folder, name);

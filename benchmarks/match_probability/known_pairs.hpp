@@ -41,6 +41,12 @@ void visit_world(SmallWorld world, Seeds seeds, const VisitPair& visit);
 /// Furnished rooms of 6 to 9 m by 5 to 8 m, scanned over 180 deg; any overlap.
 void visit_rooms(std::uint64_t seed, std::size_t num_pairs, const VisitPair& visit);
 
+/// The ends of corridors, 180 deg: each pair once of two different corridors and once of one.
+void visit_corridor_ends(std::uint64_t seed, std::size_t num_pairs, const VisitPair& visit);
+
+/// Pairs of scans of two different buildings, each class with each: some 800 of a seed.
+void visit_many_strangers(const ScannerModel& scanner, Seeds seeds, const VisitPair& visit);
+
 /// The loops of intel, aces and fr079 (below the folder of the public logs), and random scans of
 /// one of them with random scans of another.
 void visit_real_loops(const std::string& data_folder, const VisitPair& visit);

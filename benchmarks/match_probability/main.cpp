@@ -4,6 +4,7 @@
 // and the verdict are to be believed on others.
 //
 //   match_probability fit            the figures of matching/probability.cpp
+//   match_probability fit-place      the figures of matching/same_place.cpp
 //   match_probability check [DATA]   reliability; DATA is the folder of the public logs
 #include <algorithm>
 #include <array>
@@ -11,6 +12,7 @@
 #include <cstdio>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "experiments/pairs.hpp"
 #include "setsquare/matching/answer.hpp"
 #include "setsquare/matching/probability.hpp"
+#include "setsquare/matching/same_place.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/matching/trace.hpp"
 
@@ -145,6 +148,46 @@ Eigen::VectorXd fit_map(const Eigen::VectorXd& weights) {
   return fit_log_odds(log_odds, is_right_answer);
 }
 
+/// The weights of "one place at all": of answers that may stand, as matches give them. Different
+/// buildings are what must not be taken for one. That they are right where little overlaps is not
+/// asked: such pairs have as little in common as different buildings.
+Eigen::VectorXd fit_place() {
+  constexpr double kProbable = 0.88;  // Log odds of 2: what is less probable never stands.
+  MatchParams params;
+  params.answer.min_place_log_odds = -std::numeric_limits<double>::infinity();
+  Examples examples;
+  const VisitPair add = [&](const KnownPair& pair) {
+    MatchTrace trace;
+    const MatchResult result = match(pair.reference, pair.current, params, &trace);
+    if (!trace.verdict || !(result.probability > kProbable)) return;
+    if (!(result.probability < params.answer.sure_probability)) return;
+    const bool is_stranger = !pair.T_reference_current;
+    constexpr double kHighOverlap = 0.45;
+    const bool is_sound = pair.is_determined && pair.overlap >= kHighOverlap;
+    if (!is_stranger && !(is_sound && is_right(result, pair))) return;
+    const PlaceFeatures features = place_features(place_evidence(
+        pair.reference, pair.current, *result.T_reference_current, trace.verdict->probability));
+    examples.features.emplace_back(features.begin(), features.end());
+    examples.is_right.push_back(is_stranger ? 0.0 : 1.0);
+  };
+  visit_buildings(utm_30lx(), {2001, 8}, add);
+  visit_buildings(half_turn_scanner(0.01), {2001, 8}, add);
+  visit_buildings(low_cost_360(), {2001, 8}, add);
+  visit_many_strangers(utm_30lx(), {7001, 20}, add);
+  visit_many_strangers(half_turn_scanner(0.01), {7001, 30}, add);
+  visit_many_strangers(half_turn_scanner(0.03), {7001, 30}, add);
+  visit_many_strangers(low_cost_360(), {7001, 20}, add);
+  std::printf("place: of %zu answers\n", examples.features.size());
+  return fit_log_odds(examples.features, examples.is_right);
+}
+
+void run_fit_place() {
+  const Eigen::VectorXd weights = fit_place();
+  std::printf("weights of the place:");
+  for (Eigen::Index i = 0; i + 1 < weights.size(); ++i) std::printf(" %.6g,", weights(i));
+  std::printf("\nconstant: %.6g\n", weights(weights.size() - 1));
+}
+
 void run_fit() {
   const Eigen::VectorXd weights = fit_weights();
   std::printf("weights:");
@@ -223,6 +266,8 @@ void run_check(const std::string& data_folder) {
   check("niches every 2 m", [](const VisitPair& visit) {
     visit_world(SmallWorld::kNiches, {1, 20}, visit);
   });
+  check("ends of corridors, of two and of one",
+        [](const VisitPair& visit) { visit_corridor_ends(2, 1000, visit); });
   check("furnished rooms, 180 deg", [](const VisitPair& visit) { visit_rooms(1, 400, visit); });
   if (!data_folder.empty()) {
     check("loops of real logs",
@@ -252,12 +297,14 @@ void run_check(const std::string& data_folder) {
 
 int main(int argc, char** argv) {
   const std::string task = argc > 1 ? argv[1] : "";
-  if (task == "fit") {
+  if (task == "fit-place") {
+    setsquare::experiments::run_fit_place();
+  } else if (task == "fit") {
     setsquare::experiments::run_fit();
   } else if (task == "check") {
     setsquare::experiments::run_check(argc > 2 ? argv[2] : "");
   } else {
-    std::fputs("match_probability fit | check [FOLDER OF THE PUBLIC LOGS]\n", stderr);
+    std::fputs("match_probability fit | fit-place | check [FOLDER OF THE PUBLIC LOGS]\n", stderr);
     return 2;
   }
   return 0;

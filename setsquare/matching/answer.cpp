@@ -10,6 +10,7 @@
 #include "setsquare/matching/distinct_wall.hpp"
 #include "setsquare/matching/information.hpp"
 #include "setsquare/matching/probability.hpp"
+#include "setsquare/matching/same_place.hpp"
 #include "setsquare/matching/sweep_refinement.hpp"
 #include "setsquare/matching/trace.hpp"
 #include "setsquare/matching/verdict.hpp"
@@ -171,6 +172,14 @@ Belief believe(const PreparedScan& reference,
   return belief;
 }
 
+/// Whether an answer that stands may still be of two places that look alike: its evidence is asked
+/// only then.
+bool may_be_elsewhere(const VerdictEvidence& evidence, const AnswerParams& params) {
+  return std::isfinite(params.min_place_log_odds) &&
+         evidence.probability < params.sure_probability &&
+         verdict(evidence, params) == MatchStatus::kMatched;
+}
+
 TracedVerdict traced(const VerdictEvidence& evidence,
                      const Belief& belief,
                      const AnswerParams& params) {
@@ -179,6 +188,7 @@ TracedVerdict traced(const VerdictEvidence& evidence,
           .distinct_wall_m = evidence.distinct_wall_m,
           .min_distinct_m = params.min_distinct_m,
           .probability = belief.evidence,
+          .place_log_odds = evidence.place_log_odds,
           .aliases = belief.aliases};
 }
 
@@ -215,14 +225,18 @@ MatchResult answer(const PreparedScan& reference,
   const WallConstraint constraint = wall_constraint(refined.pose_hessian);
   const Belief belief =
       believe(reference, current, candidates, ranked, measured, constraint, params);
-  const VerdictEvidence evidence{
-      .candidates = candidates,
-      .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
-      .constraint = constraint,
-      .two_way = measured.two_way,
-      .distinct_wall_m = measured.distinct_wall_m,
-      .probability = belief.probability(),
-      .num_aliases = belief.aliases.size()};
+  VerdictEvidence evidence{.candidates = candidates,
+                           .runner_up_score = ranked.runner_up ? ranked.runner_up->score : 0.0,
+                           .constraint = constraint,
+                           .two_way = measured.two_way,
+                           .distinct_wall_m = measured.distinct_wall_m,
+                           .probability = belief.probability(),
+                           .num_aliases = belief.aliases.size()};
+
+  if (may_be_elsewhere(evidence, params.answer)) {
+    evidence.place_log_odds = place_log_odds(
+        place_evidence(reference, current, refined.T_reference_current, belief.evidence));
+  }
 
   MatchResult result;
   result.status = verdict(evidence, params.answer);

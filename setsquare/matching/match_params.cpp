@@ -84,6 +84,8 @@ void MatchParams::validate() const {
               answer.min_probability_by_rules <= answer.min_probability,
           "min_probability_by_rules",
           "must be in [0, min_probability]");
+  require(answer.sure_probability >= 0.0, "sure_probability", "must not be negative");
+  require(!std::isnan(answer.min_place_log_odds), "min_place_log_odds", "must be a number");
   require(std::isfinite(answer.min_score), "min_score", "must be finite");
   require(std::isfinite(answer.min_agreement), "min_agreement", "must be finite");
   require(answer.min_turning_m3 >= 0.0, "min_turning_m3", "must not be negative");

@@ -33,7 +33,8 @@ struct TracedVerdict {
   double distinct_wall_m = 0.0;
   double min_distinct_m = 0.0;  ///< Asked of it: more of the quick search than of the thorough one.
   ProbabilityEvidence probability;
-  std::vector<Pose2> aliases;  ///< In the reference's frame.
+  std::optional<double> place_log_odds;  ///< Nothing where it was not asked.
+  std::vector<Pose2> aliases;            ///< In the reference's frame.
 };
 
 /// What one match considered, for `explain`. Poses are those of the sensors.

@@ -42,6 +42,11 @@ bool is_probable(const VerdictEvidence& evidence, const AnswerParams& params) {
   return evidence.probability >= params.min_probability_by_rules && stands_out(evidence, params);
 }
 
+/// Whether the scans show one place, as far as was asked.
+bool is_one_place(const VerdictEvidence& evidence, const AnswerParams& params) {
+  return !evidence.place_log_odds || *evidence.place_log_odds >= params.min_place_log_odds;
+}
+
 }  // namespace
 
 double contradicted_share(const Evidence& evidence) {
@@ -86,7 +91,7 @@ MatchStatus verdict(const VerdictEvidence& evidence, const AnswerParams& params)
                        evidence.constraint.turning_m3 >= params.min_turning_m3;
   if (!is_held) return MatchStatus::kDegenerate;
   const bool is_alone = is_probable(evidence, params) && evidence.num_aliases == 0 &&
-                        !has_rival(evidence.candidates, params);
+                        !has_rival(evidence.candidates, params) && is_one_place(evidence, params);
   return is_alone ? MatchStatus::kMatched : MatchStatus::kAmbiguous;
 }
 

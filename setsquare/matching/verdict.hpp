@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 
 #include "setsquare/matching/candidates.hpp"
@@ -42,6 +43,8 @@ struct VerdictEvidence {
   double distinct_wall_m = 0.0;
   double probability = 0.0;     ///< That the answer is right, aliases counted.
   std::size_t num_aliases = 0;  ///< Motions under which the place looks the same.
+  /// That the scans show one place at all; nothing where that was not asked.
+  std::optional<double> place_log_odds = std::nullopt;
 };
 
 /// Share of the wall that can be judged (agreeing or contradicted) that is contradicted.

@@ -96,6 +96,10 @@ INSTANTIATE_TEST_SUITE_P(
             "min_margin_alone", [](auto& p, double v) { p.answer.min_margin_alone = v; }, -0.1},
         BadField{"min_wall_m", [](auto& p, double v) { p.answer.min_wall_m = v; }, -0.1},
         BadField{"hidden_weight", [](auto& p, double v) { p.score.hidden_weight = v; }, kNaN},
+        BadField{
+            "sure_probability", [](auto& p, double v) { p.answer.sure_probability = v; }, -0.1},
+        BadField{
+            "min_place_log_odds", [](auto& p, double v) { p.answer.min_place_log_odds = v; }, kNaN},
         BadField{"min_margin", [](auto& p, double v) { p.answer.min_margin = v; }, -0.1},
         BadField{"min_margin", [](auto& p, double v) { p.answer.min_margin = v; }, kNaN},
         BadField{"min_score", [](auto& p, double v) { p.answer.min_score = v; }, kNaN},

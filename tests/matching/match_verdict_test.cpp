@@ -28,6 +28,7 @@ struct Case {
   double distinct_wall_m = 8.0;
   double probability = 0.99;  ///< Enough with the rules of the score, not without.
   std::size_t num_aliases = 0;
+  std::optional<double> place_log_odds;
   AnswerParams params;
 
   [[nodiscard]] MatchStatus verdict() const {
@@ -37,7 +38,8 @@ struct Case {
                                .two_way = two_way,
                                .distinct_wall_m = distinct_wall_m,
                                .probability = probability,
-                               .num_aliases = num_aliases},
+                               .num_aliases = num_aliases,
+                               .place_log_odds = place_log_odds},
                               params);
   }
 };
@@ -161,6 +163,10 @@ INSTANTIATE_TEST_SUITE_P(
         Rule{"min_distinct_m",
              [](Case& c) { c.distinct_wall_m = 1.81; },
              [](Case& c) { c.distinct_wall_m = 1.79; },
+             kAmbiguous},
+        Rule{"min_place_log_odds",
+             [](Case& c) { c.place_log_odds = c.params.min_place_log_odds + 0.01; },
+             [](Case& c) { c.place_log_odds = c.params.min_place_log_odds - 0.01; },
              kAmbiguous},
         Rule{"min_probability_by_rules",
              [](Case& c) { c.probability = c.params.min_probability_by_rules + 0.001; },

@@ -117,6 +117,40 @@ FurnishedRoom furnished_room(std::mt19937_64& generator) {
   return room;
 }
 
+std::vector<Wall> end_of_a_corridor(std::mt19937_64& generator) {
+  const double width_m = uniform(generator, 2.3, 2.7);
+  const double length_m = uniform(generator, 9.0, 13.0);
+  const double hall_m = length_m + 6.0;
+  std::vector<Wall> walls{{0.0, 0.0, 0.0, width_m}, {hall_m, -6.0, hall_m, width_m + 6.0}};
+  for (const double outward : {-1.0, 1.0}) {
+    const double slope = uniform(generator, -0.005, 0.005);
+    const auto at = [&](double x_m) { return (outward > 0.0 ? width_m : 0.0) + slope * x_m; };
+    double x_m = 0.0;
+    while (true) {
+      const double door_m = x_m + uniform(generator, 1.5, 5.0);
+      const double end_m = door_m + uniform(generator, 0.8, 1.2);
+      const double depth_m = outward * uniform(generator, 0.1, 0.5);
+      if (end_m > length_m - 0.5) break;
+      walls.push_back({x_m, at(x_m), door_m, at(door_m)});
+      walls.push_back({door_m, at(door_m), door_m, at(door_m) + depth_m});
+      walls.push_back({door_m, at(door_m) + depth_m, end_m, at(end_m) + depth_m});
+      walls.push_back({end_m, at(end_m) + depth_m, end_m, at(end_m)});
+      x_m = end_m;
+    }
+    const double out_m = at(0.0) + outward * uniform(generator, 2.0, 5.0);
+    walls.push_back({x_m, at(x_m), length_m, at(length_m)});
+    walls.push_back({length_m, at(length_m), length_m, out_m});
+    walls.push_back({length_m, out_m, hall_m, out_m});
+  }
+  return walls;
+}
+
+Pose2 pose_before_the_end(std::mt19937_64& generator) {
+  const double x_m = uniform(generator, 3.0, 9.0);
+  const double y_m = uniform(generator, 0.8, 1.6);
+  return {x_m, y_m, kPi + uniform(generator, -0.6, 0.6)};
+}
+
 Pose2 free_pose(const FurnishedRoom& room, std::mt19937_64& generator) {
   constexpr double kClearance_m = 0.4;
   while (true) {

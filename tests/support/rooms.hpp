@@ -37,6 +37,14 @@ struct FurnishedRoom {
 };
 [[nodiscard]] FurnishedRoom furnished_room(std::mt19937_64& generator);
 
+/// The end of a corridor 2.3 to 2.7 m wide, at x = 0, with doors in niches at random places on both
+/// sides; at its other end, 9 to 13 m off, it opens into a hall. Walls of real corridors are not
+/// quite parallel, nor are these.
+[[nodiscard]] std::vector<Wall> end_of_a_corridor(std::mt19937_64& generator);
+
+/// A random pose in it, 3 to 9 m from the end and facing it, within 35 deg.
+[[nodiscard]] Pose2 pose_before_the_end(std::mt19937_64& generator);
+
 /// A random pose in the room, at least 0.4 m from every wall and outside the furniture.
 [[nodiscard]] Pose2 free_pose(const FurnishedRoom& room, std::mt19937_64& generator);
 

@@ -117,6 +117,18 @@ void add_rules_of_score(const MatchResult& result,
                " m"));
 }
 
+/// Whether the scans show one place at all, where that was asked.
+void add_rule_of_place(const TracedVerdict& verdict,
+                       const AnswerParams& params,
+                       std::vector<VerdictRule>& rules) {
+  if (!verdict.place_log_odds) return;
+  rules.push_back(at_least("Log odds that both scans show one place",
+                           *verdict.place_log_odds,
+                           params.min_place_log_odds,
+                           1,
+                           ""));
+}
+
 /// The different pose with the most agreeing wall among those that are contradicted as little.
 VerdictRule rule_of_rivals(const MatchTrace& trace, const AnswerParams& params) {
   const Candidate& best = trace.candidates.front().candidate;
@@ -163,6 +175,7 @@ std::vector<VerdictRule> verdict_rules(const MatchResult& result,
                    .asked = "none",
                    .found = std::to_string(trace.verdict->aliases.size()),
                    .holds = trace.verdict->aliases.empty()});
+  add_rule_of_place(*trace.verdict, params, rules);
   return rules;
 }
 
