@@ -6,8 +6,31 @@
 #include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 #include <Eigen/SparseCore>
+#include <functional>
+#include <utility>
 
 namespace setsquare {
+namespace {
+
+/// Columns of a factor whose solution a right-hand side with these entries reaches, ascending: from
+/// each its way up the elimination tree, in which a column's parent is the first row below it.
+std::vector<int> columns_reached(const Eigen::SparseMatrix<double>& L, std::vector<int> entries) {
+  std::vector<int> reached;
+  std::sort(entries.begin(), entries.end(), std::greater<>());
+  while (!entries.empty()) {
+    const int column = entries.back();
+    entries.pop_back();
+    reached.push_back(column);
+    const int begin = L.outerIndexPtr()[column];
+    if (begin == L.outerIndexPtr()[column + 1]) continue;
+    const int parent = L.innerIndexPtr()[begin];
+    const auto place = std::lower_bound(entries.begin(), entries.end(), parent, std::greater<>());
+    if (place == entries.end() || *place != parent) entries.insert(place, parent);
+  }
+  return reached;
+}
+
+}  // namespace
 
 struct SparseBlocks::Sparse {
   /// Eigen's minimum degree ordering of a symmetric matrix that is stored in full. Eigen's own
@@ -27,7 +50,7 @@ struct SparseBlocks::Sparse {
 };
 
 SparseBlocks::SparseBlocks(int size, std::size_t num_blocks, const std::vector<Pair>& pairs)
-    : sparse_(std::make_unique<Sparse>()) {
+    : size_(size), sparse_(std::make_unique<Sparse>()) {
   // The lower triangle's blocks, diagonal included, each once, column by column.
   std::vector<Pair> blocks;
   blocks.reserve(num_blocks + pairs.size());
@@ -85,8 +108,42 @@ Eigen::VectorXd SparseBlocks::solve(const Eigen::VectorXd& column) const {
   return sparse_->solver.solve(column);
 }
 
-Eigen::MatrixXd SparseBlocks::solve(const Eigen::MatrixXd& columns) const {
-  return sparse_->solver.solve(columns);
+Eigen::MatrixXd SparseBlocks::inverse_form(std::span<const BlockRows> rows) const {
+  const auto& solver = sparse_->solver;
+  const Eigen::SparseMatrix<double>& L = solver.matrixL().nestedExpression();
+  const auto place_of = [&](const BlockRows& of_block, int row) {
+    return solver.permutationP().indices()[static_cast<int>(of_block.block) * size_ + row];
+  };
+  std::vector<int> entries;
+  for (const BlockRows& of_block : rows) {
+    for (int row = 0; row < size_; ++row) entries.push_back(place_of(of_block, row));
+  }
+  const std::vector<int> reached = columns_reached(L, std::move(entries));
+  const auto num_reached = static_cast<Eigen::Index>(reached.size());
+  // Nothing but what is reached is read or written.
+  const auto x = std::make_unique_for_overwrite<double[]>(static_cast<std::size_t>(L.cols()));
+  Eigen::MatrixXd Y(num_reached, rows.front().values.cols());  // L Y = C.
+  for (Eigen::Index column = 0; column < Y.cols(); ++column) {
+    for (const int k : reached) x[k] = 0.0;
+    for (const BlockRows& of_block : rows) {
+      for (int row = 0; row < size_; ++row) {
+        x[place_of(of_block, row)] = of_block.values(row, column);
+      }
+    }
+    for (Eigen::Index k = 0; k < num_reached; ++k) {
+      const double value = Y(k, column) = x[reached[k]];
+      if (value == 0.0) continue;
+      const int end = L.outerIndexPtr()[reached[k] + 1];
+      for (int entry = L.outerIndexPtr()[reached[k]]; entry < end; ++entry) {
+        x[L.innerIndexPtr()[entry]] -= L.valuePtr()[entry] * value;
+      }
+    }
+  }
+  const Eigen::VectorXd all_pivots = solver.vectorD();
+  Eigen::VectorXd pivots(num_reached);
+  for (Eigen::Index k = 0; k < num_reached; ++k) pivots[k] = all_pivots[reached[k]];
+  const Eigen::MatrixXd form = Y.transpose() * pivots.cwiseInverse().asDiagonal() * Y;
+  return 0.5 * (form + form.transpose());
 }
 
 }  // namespace setsquare

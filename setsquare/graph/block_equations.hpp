@@ -5,10 +5,17 @@
 #include <cstddef>
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
 namespace setsquare {
+
+/// The rows of a matrix that belong to one block of unknowns.
+struct BlockRows {
+  std::size_t block = 0;
+  Eigen::MatrixXd values;
+};
 
 /// A sparse symmetric matrix of square blocks and its factors, compiled once: Eigen's sparse solver
 /// costs each unit of sources that includes it ten seconds.
@@ -39,10 +46,12 @@ class SparseBlocks {
   /// As BlockEquations has them.
   [[nodiscard]] double factor();
   [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& column) const;
-  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) const;
+  [[nodiscard]] Eigen::MatrixXd inverse_form(std::span<const BlockRows> rows) const;
 
  private:
   struct Sparse;
+
+  int size_;
 
   std::unique_ptr<Sparse> sparse_;
   double* values_ = nullptr;            ///< Of the sparse matrix.
@@ -100,10 +109,16 @@ class BlockEquations {
   /// came from: 1 where nothing is coupled, hardly above rounding or below where H is singular.
   [[nodiscard]] double factor() { return matrix_.factor(); }
 
-  /// H^-1 times one or more columns, after factor().
-  template <typename Columns>
-  [[nodiscard]] Columns solve(const Columns& columns) const {
-    return matrix_.solve(columns);
+  /// H^-1 times a column, after factor().
+  [[nodiscard]] Eigen::VectorXd solve(const Eigen::VectorXd& column) const {
+    return matrix_.solve(column);
+  }
+
+  /// C^T H^-1 C, after factor(). `rows`: those of C that are not zero, at least one block of them,
+  /// each once. Reads the factor's columns on the way from these blocks to the root of the
+  /// elimination tree alone, which in a large graph are few: benchmarks/scaling.
+  [[nodiscard]] Eigen::MatrixXd inverse_form(std::span<const BlockRows> rows) const {
+    return matrix_.inverse_form(rows);
   }
 
  private:

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <span>
+#include <vector>
 
 #include "setsquare/graph/pose_equations.hpp"
 
@@ -18,49 +19,33 @@ struct MarginalCovariance::Factor {
   PoseGraph graph;
   PoseEquations equations;
 
-  /// Joint covariance of the nodes' poses, 3 rows and columns each: those of H^-1, for which one
-  /// unit column per unknown is solved. The held part of node 0 has no covariance.
+  /// Joint covariance of the nodes' poses, 3 rows and columns each: those of H^-1. The held part of
+  /// node 0 has no covariance.
   [[nodiscard]] Eigen::MatrixXd joint(std::span<const std::size_t> nodes) const {
-    const auto n = static_cast<Eigen::Index>(nodes.size());
-    const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
-    Eigen::MatrixXd unit = Eigen::MatrixXd::Zero(num_unknowns, 3 * n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const auto first = 3 * static_cast<Eigen::Index>(nodes[k]);
-      unit.block<3, 3>(first, 3 * k).setIdentity();
-      if (nodes[k] != 0) continue;
-      unit.block<2, 2>(first, 3 * k).setZero();
-      if (equations.is_heading_held()) unit(first + 2, 3 * k + 2) = 0.0;
+    const auto num = static_cast<Eigen::Index>(nodes.size());
+    std::vector<BlockRows> unit;
+    for (Eigen::Index k = 0; k < num; ++k) {
+      unit.push_back({nodes[k], Eigen::MatrixXd::Zero(3, 3 * num)});
+      Eigen::Vector3d free = Eigen::Vector3d::Ones();
+      if (nodes[k] == 0) free = {0.0, 0.0, equations.is_heading_held() ? 0.0 : 1.0};
+      unit.back().values.middleCols<3>(3 * k) = free.asDiagonal();
     }
-    const Eigen::MatrixXd columns = equations.solve(unit);
-    Eigen::MatrixXd result(3 * n, 3 * n);
-    for (Eigen::Index k = 0; k < n; ++k) {
-      result.middleRows<3>(3 * k) = columns.middleRows<3>(3 * static_cast<Eigen::Index>(nodes[k]));
-    }
-    return 0.5 * (result + result.transpose());
+    return equations.inverse_form(unit);
   }
 
-  /// Of the difference of two positions: J H^-1 J^T, for which J's two rows are solved. Node 0 has
-  /// no part: its position is held.
+  /// Of the difference of two positions: J H^-1 J^T. Node 0 has no part: its position is held.
   [[nodiscard]] Eigen::Matrix2d way(std::size_t from, std::size_t to) const {
-    const auto num_unknowns = 3 * static_cast<Eigen::Index>(graph.T_map_node.size());
-    const auto first = [](std::size_t node) { return 3 * static_cast<Eigen::Index>(node); };
-    Eigen::MatrixXd J_transposed = Eigen::MatrixXd::Zero(num_unknowns, 2);
-    if (to != 0) J_transposed.block<2, 2>(first(to), 0).diagonal().array() += 1.0;
-    if (from != 0) J_transposed.block<2, 2>(first(from), 0).diagonal().array() -= 1.0;
-    const Eigen::MatrixXd columns = equations.solve(J_transposed);
-    Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
-    if (to != 0) result += columns.block<2, 2>(first(to), 0);
-    if (from != 0) result -= columns.block<2, 2>(first(from), 0);
-    return 0.5 * (result + result.transpose());
+    std::vector<BlockRows> J_transposed;
+    if (to != from && to != 0) J_transposed.push_back({to, Eigen::MatrixXd::Identity(3, 2)});
+    if (to != from && from != 0) J_transposed.push_back({from, -Eigen::MatrixXd::Identity(3, 2)});
+    if (J_transposed.empty()) return Eigen::Matrix2d::Zero();
+    return equations.inverse_form(J_transposed);
   }
 
   [[nodiscard]] double heading(std::size_t node) const {
     if (node == 0 && equations.is_heading_held()) return 0.0;
-    const auto row = 3 * static_cast<Eigen::Index>(node) + 2;
-    Eigen::MatrixXd unit =
-        Eigen::MatrixXd::Zero(3 * static_cast<Eigen::Index>(graph.T_map_node.size()), 1);
-    unit(row, 0) = 1.0;
-    return equations.solve(unit)(row, 0);
+    const BlockRows unit{node, Eigen::Vector3d::UnitZ()};
+    return equations.inverse_form({&unit, 1})(0, 0);
   }
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
 #include "setsquare/graph/block_equations.hpp"
 #include "setsquare/graph/pose_graph.hpp"
 
@@ -38,9 +40,9 @@ class PoseEquations {
   /// node.
   [[nodiscard]] Eigen::VectorXd step() const { return equations_.solve(equations_.b); }
 
-  /// H^-1 times columns.
-  [[nodiscard]] Eigen::MatrixXd solve(const Eigen::MatrixXd& columns) const {
-    return equations_.solve(columns);
+  /// C^T H^-1 C, as BlockEquations has it.
+  [[nodiscard]] Eigen::MatrixXd inverse_form(std::span<const BlockRows> rows) const {
+    return equations_.inverse_form(rows);
   }
 
  private:

@@ -73,6 +73,7 @@ TEST(MarginalCovariance, IsThatOfTheDenseInverse) {
       const auto first = 3 * static_cast<Eigen::Index>(node);
       const Eigen::Matrix3d block = expected.block<3, 3>(first, first);
       EXPECT_LE((covariance.of(node) - block).norm(), 1e-6 * block.norm()) << "node " << node;
+      EXPECT_NEAR(covariance.of_heading(node), block(2, 2), 1e-6 * block(2, 2)) << "node " << node;
     }
   }
 }
