@@ -29,6 +29,10 @@ void PieceJoiningParams::validate() const {
   require_at_least_one(min_agreeing, "joining.min_agreeing");
   require_at_least_one(num_across_lost, "joining.num_across_lost");
   require_positive(min_votes_across_break, "joining.min_votes_across_break");
+  require_finite(min_log_odds_across_break, "joining.min_log_odds_across_break");
+  steps.validate();
+  odds.validate();
+  require_positive(joint_open_sigma_m, "joining.joint_open_sigma_m");
   require_positive(joint_sigma_m, "joining.joint_sigma_m");
   require_positive(joint_sigma_rad, "joining.joint_sigma_rad");
   require_positive(agreeing_m, "joining.agreeing_m");

@@ -27,9 +27,12 @@ using ProbabilityFeatures = std::array<double, kNumProbabilityFeatures>;
 /// The evidence as the numbers that the log odds are a weighted sum of.
 [[nodiscard]] ProbabilityFeatures probability_features(const ProbabilityEvidence& evidence);
 
-/// Probability that the answer is right (within 0.2 m and 3 deg), of two scans from within 5 m of
-/// each other in one building of whose places nothing is known. `num_aliases` other poses look the
-/// same: each is as probable as the answer.
+/// A probability is that of two scans that were taken so near to each other, however turned.
+inline constexpr double kProbabilityWithin_m = 5.0;
+
+/// Probability that the answer is right (within 0.2 m and 3 deg), of two scans from within
+/// kProbabilityWithin_m of each other in one building of whose places nothing is known.
+/// `num_aliases` other poses look the same: each is as probable as the answer.
 [[nodiscard]] double match_probability(const ProbabilityEvidence& evidence,
                                        std::size_t num_aliases = 0);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "setsquare/core/is_beyond.hpp"
+#include "setsquare/matching/probability.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/tracking/known_place.hpp"
 
@@ -20,6 +21,21 @@ bool has_two_alike(std::span<const PlaceVote> votes, const PlaceVoteParams& para
   const auto is_alone = [](const PlaceVote& vote) { return vote.status == MatchStatus::kMatched; };
   return votes.size() == 2 && is_alone(votes[0]) && is_alone(votes[1]) &&
          is_same_place(votes[0].T_odom_sensor, votes[1].T_odom_sensor, params);
+}
+
+/// The probability of a place by the surest match that has the scan there: matches with keyframes
+/// of one room err alike.
+double probability_of(const Pose2& T_odom_sensor,
+                      std::span<const PlaceVote> votes,
+                      const ExpectedStep& step,
+                      const PlaceVoteParams& params) {
+  double surest = 0.0;
+  for (const PlaceVote& vote : votes) {
+    const bool is_there = is_same_place(T_odom_sensor, vote.T_odom_sensor, params);
+    if (is_there) surest = std::max(surest, vote.probability);
+  }
+  const double against = odds_against(step, T_odom_sensor, params.odds);
+  return 1.0 / (1.0 + std::exp(-log_odds_of_place(surest, against, params.odds)));
 }
 
 }  // namespace
@@ -65,8 +81,13 @@ std::vector<PlaceVote> place_votes(PreparedKeyframes& keyframes,
   for (std::size_t age = 0; age < num_asked && !has_two_alike(votes, params); ++age) {
     const MatchResult match = setsquare::match(keyframes.scan(age), current, match_params);
     if (!match.T_reference_current) continue;
-    votes.push_back(
-        {keyframes.keyframe(age).T_odom_sensor * *match.T_reference_current, match.status});
+    const Pose2& T_odom_keyframe = keyframes.keyframe(age).T_odom_sensor;
+    votes.push_back({.T_odom_sensor = T_odom_keyframe * *match.T_reference_current,
+                     .status = match.status,
+                     .probability = match.probability});
+    if (match.degenerate_direction_rad) {
+      votes.back().open_direction_rad = T_odom_keyframe.theta_rad + *match.degenerate_direction_rad;
+    }
   }
   return votes;
 }
@@ -94,9 +115,13 @@ std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
     if (vote_weight(vote.status) == 0.0) continue;
     const AgreedPlace place{vote.T_odom_sensor, votes_for(vote.T_odom_sensor)};
     const bool is_jump = step && !is_within(*step, place.T_odom_sensor);
+    const bool is_by_motion = step && step->by == ExpectedStep::By::kLastMotion;
+    if (is_jump && !stands_alone(place.T_odom_sensor)) continue;
     const bool is_seconded =
-        place.votes >= params.min_votes_for_jump && stands_alone(place.T_odom_sensor);
-    if (is_jump && !is_seconded) continue;
+        is_by_motion
+            ? probability_of(vote.T_odom_sensor, votes, *step, params) >= params.min_probability
+            : !is_jump || place.votes >= params.min_votes_for_jump;
+    if (!is_seconded) continue;
     if (!best || place.votes > best->votes) best = place;
   }
   if (!best || best->votes < kAloneWeight) return std::nullopt;
@@ -106,6 +131,48 @@ std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
            votes_for(vote.T_odom_sensor) >= best->votes;
   });
   return has_rival ? std::nullopt : best;
+}
+
+double odds_against(const ExpectedStep& step,
+                    const Pose2& T_odom_sensor,
+                    const StepOddsParams& params) {
+  const StepReach off = reach_of(step.T_odom_sensor.inverse() * T_odom_sensor);
+  const double num_reaches =
+      std::max(off.distance_m / step.reach.distance_m, off.turn_rad / step.reach.turn_rad);
+  if (num_reaches > 1.0) return std::pow(10.0, params.decades_per_reach * (num_reaches - 1.0));
+  const double share_of_way = std::min(1.0, step.reach.distance_m / kProbabilityWithin_m);
+  const double share_of_turn = std::min(1.0, step.reach.turn_rad / kPi);
+  return share_of_way * share_of_way * share_of_turn;
+}
+
+double log_odds_of_place(double probability, double odds_against, const StepOddsParams& params) {
+  const double wrong = std::clamp(1.0 - probability, params.least_wrong, 1.0 - params.least_wrong);
+  return std::log((1.0 - wrong) / (wrong * odds_against));
+}
+
+std::optional<LikelyPlace> likely_place(std::span<const PlaceVote> votes,
+                                        const ExpectedStep& step,
+                                        const PlaceVoteParams& params) {
+  std::optional<LikelyPlace> best;
+  for (const PlaceVote& vote : votes) {
+    const double probability = probability_of(vote.T_odom_sensor, votes, step, params);
+    const bool is_likely =
+        vote.status != MatchStatus::kNoOverlap && probability >= params.min_probability;
+    if (!is_likely || (best && probability <= best->probability)) continue;
+    best = LikelyPlace{.T_odom_sensor = vote.T_odom_sensor,
+                       .probability = probability,
+                       .is_open = true,
+                       .open_direction_rad = vote.open_direction_rad};
+  }
+  if (!best) return std::nullopt;
+  for (const PlaceVote& vote : votes) {
+    if (is_same_place(best->T_odom_sensor, vote.T_odom_sensor, params)) {
+      best->is_open = best->is_open && vote_weight(vote.status) == 0.0;
+    } else if (probability_of(vote.T_odom_sensor, votes, step, params) >= params.min_probability) {
+      return std::nullopt;
+    }
+  }
+  return best;
 }
 
 }  // namespace setsquare

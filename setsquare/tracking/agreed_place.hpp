@@ -20,6 +20,9 @@ namespace setsquare {
 struct PlaceVote {
   Pose2 T_odom_sensor;
   MatchStatus status = MatchStatus::kNoOverlap;
+  double probability = 0.0;  ///< That the place is right (MatchResult).
+  /// In the odom frame, modulo pi: the direction that a degenerate match leaves open.
+  std::optional<double> open_direction_rad = std::nullopt;
 };
 
 /// Where keyframes agree that a scan stands.
@@ -62,11 +65,41 @@ struct ExpectedStep {
 /// The place with the most votes. It needs more than any other place, for one wrong match bends all
 /// that follows, and those of one match that stands alone, or of two ambiguous ones. A place within
 /// reach of the expected step has as much for it as an ambiguous match gives: what makes a match
-/// ambiguous mostly lies farther away. Beyond that reach it needs the votes that a jump needs, one
-/// of them of a match that stands alone: keyframes of one room take a scan for the same wrong part
-/// of it, all alike.
+/// ambiguous mostly lies farther away. Beyond that reach it needs a match that stands alone:
+/// keyframes of one room take a scan for the same wrong part of it, all alike. By odometry it needs
+/// the votes that a jump needs, too; where the last motion expects the step, the probability that a
+/// likely place needs, within reach as well.
 [[nodiscard]] std::optional<AgreedPlace> agreed_place(std::span<const PlaceVote> votes,
                                                       const std::optional<ExpectedStep>& step,
+                                                      const PlaceVoteParams& params);
+
+/// How much the robot's motion speaks against a place, before any match: as odds. A match would be
+/// wrong anywhere within kProbabilityWithin_m and turned by any angle; within the reach of a step
+/// lies a small share of that. Beyond the reach a place is the less likely the farther off it is.
+[[nodiscard]] double odds_against(const ExpectedStep& step,
+                                  const Pose2& T_odom_sensor,
+                                  const StepOddsParams& params);
+
+/// The logarithm of the odds that a match of this probability is right at a place that the motion
+/// speaks against so much. No match is surer than StepOddsParams::least_wrong.
+[[nodiscard]] double log_odds_of_place(double probability,
+                                       double odds_against,
+                                       const StepOddsParams& params);
+
+/// Where a scan stands by the surest of the matches that have it there and by the robot's motion.
+struct LikelyPlace {
+  Pose2 T_odom_sensor;
+  double probability = 0.0;
+  bool is_open = false;  ///< Whether every match that has it there is degenerate.
+  /// Then, in the odom frame, modulo pi; nothing where it is only the turn that is open.
+  std::optional<double> open_direction_rad = std::nullopt;
+};
+
+/// The likeliest place, if it is likely enough and no other place is. Degenerate matches count:
+/// among key frames in a corridor there may be no others, and within reach of a step they are
+/// right.
+[[nodiscard]] std::optional<LikelyPlace> likely_place(std::span<const PlaceVote> votes,
+                                                      const ExpectedStep& step,
                                                       const PlaceVoteParams& params);
 
 /// Whether the odometry speaks against a place beyond its reach. That which has proved true: the

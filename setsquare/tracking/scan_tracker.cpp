@@ -22,6 +22,14 @@
 namespace setsquare {
 namespace {
 
+/// Where it is expected, for it fits nowhere.
+TrackedPose lost_at(const TrackingProblem& problem, const SubmapFit& fit) {
+  return {.status = TrackStatus::kLost,
+          .T_odom_sensor = problem.T_odom_predicted,
+          .score = fit.alignment.score(),
+          .open = fit.open};
+}
+
 /// Whether tracking followed a scan, without a jump.
 bool is_followed(TrackStatus status) {
   return status == TrackStatus::kTracked || status == TrackStatus::kDegenerate;
@@ -241,9 +249,15 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
     if (agreed && !is_refuted(*agreed, step, fits_as_driven, params_.votes)) {
       return place_as_agreed(problem, agreed->T_odom_sensor, fit);
     }
-    if (long_steps_.are_usual() && !has_odometry) {
-      const auto along = place_along_walls(problem, votes, fit);
-      if (along) return *along;
+    if (!has_odometry) {
+      const bool is_poor = fit.alignment.score() < least_score(fit);
+      const auto likely = is_poor ? likely_place(votes, step, params_.votes) : std::nullopt;
+      if (likely) return place_as_likely(problem, *likely, fit);
+      if (long_steps_.are_usual()) {
+        const auto along = place_along_walls(problem, votes, fit);
+        if (along) return *along;
+        if (is_poor) return lost_at(problem, fit);
+      }
     }
   }
   bool is_recovered = false;
@@ -321,6 +335,27 @@ TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
   return answer_of(fit, params_.refinement);
 }
 
+TrackedPose ScanTracker::place_as_likely(const TrackingProblem& problem,
+                                         const LikelyPlace& place,
+                                         const SubmapFit& tracked) {
+  if (!place.is_open) return place_as_agreed(problem, place.T_odom_sensor, tracked);
+  SubmapFit fit = refined_at(place.T_odom_sensor, problem.points);
+  if (!is_same_place(place.T_odom_sensor, fit.T_odom_sensor, params_.votes)) {
+    fit.T_odom_sensor = place.T_odom_sensor;
+  }
+  TrackedPose answer = answer_of(fit, params_.refinement);
+  if (!place.open_direction_rad) {
+    answer.status = TrackStatus::kRecovered;
+    return answer;
+  }
+  const double wrong_sigma_m = std::sqrt(1.0 - place.probability) * long_steps_.reach().distance_m;
+  answer.status = TrackStatus::kDegenerate;
+  answer.open.direction = {std::cos(*place.open_direction_rad),
+                           std::sin(*place.open_direction_rad)};
+  answer.open_sigma_m = std::hypot(params_.votes.least_open_sigma_m, wrong_sigma_m);
+  return answer;
+}
+
 std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem& problem,
                                                           std::span<const PlaceVote> votes,
                                                           const SubmapFit& tracked) {
@@ -351,12 +386,7 @@ std::optional<TrackedPose> ScanTracker::place_along_walls(const TrackingProblem&
 }
 
 TrackedPose ScanTracker::judged(const TrackingProblem& problem, SubmapFit fit, bool is_recovered) {
-  if (fit.alignment.score() < params_.lost_below_score) {
-    return {.status = TrackStatus::kLost,
-            .T_odom_sensor = problem.T_odom_predicted,
-            .score = fit.alignment.score(),
-            .open = fit.open};
-  }
+  if (fit.alignment.score() < params_.lost_below_score) return lost_at(problem, fit);
   if (fit.open.effective_points < params_.corridor.below_effective_points) {
     fit = search_along_corridor(problem, fit, params_.corridor, params_.refinement);
   }

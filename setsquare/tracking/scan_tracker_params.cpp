@@ -61,11 +61,19 @@ void RecoveryParams::validate() const {
   require_positive(near_rad, "recovery.near_rad");
 }
 
+void StepOddsParams::validate() const {
+  require_not_negative(decades_per_reach, "step_odds.decades_per_reach");
+  require_positive(least_wrong, "step_odds.least_wrong");
+}
+
 void PlaceVoteParams::validate() const {
   require_at_least_one(num_keyframes, "votes.num_keyframes");
   require_positive(same_m, "votes.same_m");
   require_positive(same_rad, "votes.same_rad");
   require_not_negative(min_votes_for_jump, "votes.min_votes_for_jump");
+  require_not_negative(min_probability, "votes.min_probability");
+  require_positive(least_open_sigma_m, "votes.least_open_sigma_m");
+  odds.validate();
 }
 
 void SuddenTurnParams::validate() const {

@@ -170,12 +170,25 @@ struct SuddenTurnParams {
   void validate() const;
 };
 
-/// Parameters of place_votes and agreed_place.
+/// Parameters of odds_against and log_odds_of_place.
+struct StepOddsParams {
+  /// Beyond the reach of a step: so many powers of ten for each time the reach.
+  double decades_per_reach = 4.0;
+  double least_wrong = 1e-5;  ///< No match is surer than this.
+
+  /// Throws ParameterError that names the field.
+  void validate() const;
+};
+
+/// Parameters of place_votes, agreed_place and likely_place.
 struct PlaceVoteParams {
   std::size_t num_keyframes = 4;    ///< Asked, the latest.
   double same_m = 0.3;              ///< Poses nearer than this ...
   double same_rad = 0.1;            ///< ... and this to each other are one place.
-  double min_votes_for_jump = 1.5;  ///< For a place far from the expected one.
+  double min_votes_for_jump = 1.5;  ///< For a place far from where odometry expects it.
+  double min_probability = 0.9;     ///< Of a place, where the last motion expects the step.
+  StepOddsParams odds;              ///< What the motion says of a place.
+  double least_open_sigma_m = 0.1;  ///< Along what a likely place leaves open.
 
   /// Throws ParameterError that names the field.
   void validate() const;

@@ -107,7 +107,10 @@ TEST(MapperPieces, AreJoinedAcrossAScanThatSawNothing) {
 TEST(MapperPieces, FallApartWhereNothingIsMatchedAcrossTheBreak) {
   const LogWithHoles log = key_frames_one_covered();
   MapperParams params;
+  params.joining.min_agreeing = 100;  // Nor by places elsewhere.
+  EXPECT_TRUE(map_of(log, params).scans[log.begins[2]].is_placed) << "with the rule";
   params.joining.min_votes_across_break = 100.0;
+  params.joining.min_log_odds_across_break = 100.0;
   EXPECT_FALSE(map_of(log, params).scans[log.begins[2]].is_placed);
 }
 

@@ -5,9 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "setsquare/core/error.hpp"
+#include "setsquare/mapping/pieces/known_joints.hpp"
 #include "tests/mapping/tracked_world.hpp"
 #include "tests/support/pose_matchers.hpp"
 
@@ -245,6 +247,49 @@ TEST(PieceJoining, AcrossABreakMatchesAloneDoNot) {
   // The robot may have been carried, and another place may look like this one.
   const JoinedPieces joined = join(broken_off({2.0, 0.5, 0.1}));
   EXPECT_EQ(joined.is_joined, (std::vector<bool>{true, false}));
+}
+
+/// A break between key frames a metre apart: `lost_m` lies between the last before it and the first
+/// behind it.
+PiecedTrack broken_key_frames(double lost_m) {
+  std::vector<Pose2> before;
+  std::vector<Pose2> behind;
+  for (int i = 0; i < 4; ++i) before.push_back({0.8 + i, 2.0, 0.0});
+  for (int i = 0; i < 2; ++i) behind.push_back({3.8 + lost_m, 2.0 + i, 0.5 * kPi});
+  PiecedTrack pieced = lay_out({{testing::l_shaped_room(), before, {}, {}},
+                                {testing::l_shaped_room(), behind, {4.0, 5.0, -1.0}, {}}});
+  for (MotionCovariance& motion : pieced.track.motions) motion.is_long_step = true;
+  return pieced;
+}
+
+// Too few keyframes for places that agree: only that the robot goes a metre or two from one to the
+// next tells.
+TEST(PieceJoining, AcrossABreakOfKeyFramesTheMatchOfAStepJoins) {
+  EXPECT_TRUE(join(broken_key_frames(1.2)).is_joined[1]);
+  EXPECT_FALSE(join(broken_key_frames(1.2), 1, {.min_log_odds_across_break = 100.0}).is_joined[1])
+      << "without the rule";
+}
+
+TEST(PieceJoining, AMatchFartherThanTheStepsAcrossABreakDoesNot) {
+  PiecedTrack pieced = broken_key_frames(1.2);
+  PieceJoiningParams params;
+  params.steps.least_reach_m = 0.05;
+  params.steps.least_reach_rad = rad_from_deg(1.0);
+  params.steps.reach_per_step = 0.05;  // As if the robot went so far only.
+  EXPECT_FALSE(join(pieced, 1, params).is_joined[1]);
+}
+
+// A direction that a match leaves open is not held by the joint.
+TEST(PieceJoining, AJointHoldsWhatItsMatchDetermines) {
+  const PieceJoiningParams params;
+  const Eigen::Matrix3d full = information_of_joint(params);
+  const Eigen::Matrix3d open = information_of_joint(params, 0.25 * kPi);
+  const Eigen::Vector3d along(std::sqrt(0.5), std::sqrt(0.5), 0.0);
+  const Eigen::Vector3d across(-std::sqrt(0.5), std::sqrt(0.5), 0.0);
+  EXPECT_NEAR(across.dot(open * across), across.dot(full * across), 1e-9);
+  EXPECT_NEAR(
+      along.dot(open * along), 1.0 / (params.joint_open_sigma_m * params.joint_open_sigma_m), 1e-9);
+  EXPECT_EQ(open(2, 2), full(2, 2));
 }
 
 TEST(PieceJoining, NoTrackNoPieces) { EXPECT_TRUE(join({}).is_joined.empty()); }

@@ -97,8 +97,12 @@ TEST(WallEnds, AreTheJambsOfADoorway) {
   for (const WallEnd& end : ends) {
     const bool is_right = (end.at_m - Eigen::Vector2d(2.0, -0.5)).norm() < 0.1;
     const bool is_left = (end.at_m - Eigen::Vector2d(2.0, 0.5)).norm() < 0.1;
-    if (is_right) EXPECT_LT(end.into_wall.y(), -0.9);
-    if (is_left) EXPECT_GT(end.into_wall.y(), 0.9);
+    if (is_right) {
+      EXPECT_LT(end.into_wall.y(), -0.9);
+    }
+    if (is_left) {
+      EXPECT_GT(end.into_wall.y(), 0.9);
+    }
     num_jambs += is_right || is_left;
   }
   EXPECT_EQ(num_jambs, 2);

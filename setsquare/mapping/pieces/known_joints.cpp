@@ -3,6 +3,7 @@
 #include "setsquare/mapping/pieces/known_joints.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace setsquare {
@@ -30,10 +31,17 @@ std::vector<ComparedPlaces> joints_of_piece(std::span<const AnchoredKeyframe> ma
 
 }  // namespace
 
-Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params) {
+Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params,
+                                     std::optional<double> open_direction_rad) {
   const double per_m2 = 1.0 / (params.joint_sigma_m * params.joint_sigma_m);
   const double per_rad2 = 1.0 / (params.joint_sigma_rad * params.joint_sigma_rad);
-  return Eigen::Vector3d(per_m2, per_m2, per_rad2).asDiagonal();
+  Eigen::Matrix3d information = Eigen::Vector3d(per_m2, per_m2, per_rad2).asDiagonal();
+  if (open_direction_rad) {
+    const Eigen::Vector2d open(std::cos(*open_direction_rad), std::sin(*open_direction_rad));
+    const double open_per_m2 = 1.0 / (params.joint_open_sigma_m * params.joint_open_sigma_m);
+    information.topLeftCorner<2, 2>() -= (per_m2 - open_per_m2) * open * open.transpose();
+  }
+  return information;
 }
 
 void lay_known(std::span<const AnchoredKeyframe> known, std::span<Pose2> T_here_sensor) {

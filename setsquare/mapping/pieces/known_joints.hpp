@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,8 +16,10 @@
 
 namespace setsquare {
 
-/// Of a joint by the match of two scans.
-[[nodiscard]] Eigen::Matrix3d information_of_joint(const PieceJoiningParams& params);
+/// Of a joint by the match of two scans. `open_direction_rad`: what the match leaves open, in the
+/// first one's frame.
+[[nodiscard]] Eigen::Matrix3d information_of_joint(
+    const PieceJoiningParams& params, std::optional<double> open_direction_rad = std::nullopt);
 
 /// Lays what a map knows as it lies there. `T_here_sensor`: one per keyframe; the first one that is
 /// known stays.

@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -15,6 +17,8 @@
 #include "setsquare/core/parallel.hpp"
 #include "setsquare/mapping/pieces/known_joints.hpp"
 #include "setsquare/mapping/pieces/place_signature.hpp"
+#include "setsquare/mapping/pieces/proposal.hpp"
+#include "setsquare/mapping/pieces/steps_across_break.hpp"
 #include "setsquare/mapping/pieces/twin.hpp"
 #include "setsquare/matching/scan_matcher.hpp"
 #include "setsquare/surfaces/prepared_scan.hpp"
@@ -27,16 +31,6 @@ namespace {
 struct Place {
   std::size_t keyframe = 0;
   PlaceSignature signature;
-};
-
-/// Two places that may be the same and, where they are, how.
-struct Proposal {
-  std::size_t known = 0;   ///< Keyframe.
-  std::size_t sought = 0;  ///< Keyframe of a piece that is to be joined to the former's.
-  bool is_verified = false;
-  double weight = 0.0;  ///< Of a match across a break: vote_weight().
-  Pose2 T_map_piece;    ///< How all that hangs together with the sought one would move.
-  ComparedPlaces places;
 };
 
 class PieceJoiner {
@@ -62,7 +56,10 @@ class PieceJoiner {
     joined_.searches.resize(num_pieces);
     const std::size_t spacing = closing.station_spacing * track.num_scanners();
     lay_known(known, T_map_sensor_);
-    for (std::size_t k = 0; k < track.size(); k += spacing) add_place(k);
+    for (std::size_t k = 0; k < track.size(); ++k) {
+      // Among key frames each has come as far as several keyframes elsewhere.
+      if (k % spacing == 0 || track.motions[k].is_long_step) add_place(k);
+    }
     join_known(known);
   }
 
@@ -179,12 +176,18 @@ class PieceJoiner {
           proposals.back().sought = j;
         }
       }
-      std::vector<Proposal> across = matched(std::move(proposals));
+      const auto step_reach = is_long_step
+                                  ? std::optional(reach_about_break(track_, begin, params_.steps))
+                                  : std::nullopt;
+      std::vector<Proposal> across = matched(std::move(proposals), step_reach);
       if (!is_long_step) {
         std::erase_if(across, [&](const Proposal& proposal) { return !is_as_tracked(proposal); });
       }
-      const auto agreed = agreed_alone(across, &weight_in, params_.min_votes_across_break);
+      std::vector<Proposal> agreed =
+          is_long_step ? agreed_alone(across, &surest_in, params_.min_log_odds_across_break)
+                       : agreed_alone(across, &weight_in, params_.min_votes_across_break);
       if (agreed.empty()) continue;
+      if (is_long_step) std::ranges::stable_sort(agreed, std::greater{}, &Proposal::weight);
       const JoiningClaim claim = claim_of(agreed, sought, known);
       if (sees_through_map(claim, track_, T_map_sensor_, params_)) continue;
       merge(sought, known, agreed);
@@ -327,25 +330,41 @@ class PieceJoiner {
     return right;
   }
 
-  /// Those of the proposals, across a break, whose scans match.
-  [[nodiscard]] std::vector<Proposal> matched(std::vector<Proposal> proposals) {
+  /// Those of the proposals, across a break, whose scans match. `step_reach`: how far the robot
+  /// goes from keyframe to keyframe, where steps are long.
+  [[nodiscard]] std::vector<Proposal> matched(std::vector<Proposal> proposals,
+                                              const std::optional<StepReach>& step_reach) {
     prepare_scans_of(proposals);
     run_in_parallel(proposals.size(), num_threads_, [&](std::size_t i) {
-      proposals[i] = compare_scans(proposals[i]);
+      proposals[i] = compare_scans(proposals[i], step_reach);
     });
-    std::erase_if(proposals, [](const Proposal& proposal) { return proposal.weight == 0.0; });
+    std::erase_if(proposals, [](const Proposal& proposal) { return proposal.weight <= 0.0; });
     return proposals;
   }
 
-  /// With a weight of 0 where they do not match.
-  [[nodiscard]] Proposal compare_scans(Proposal proposal) const {
-    const MatchResult match =
-        setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
+  /// Scans of one session are of one building, and need not show that they are no strangers.
+  [[nodiscard]] MatchResult match_of(const Proposal& proposal) const {
+    MatchParams params;
+    if (session_of(proposal.known) == session_of(proposal.sought)) {
+      params.answer.min_place_log_odds = -std::numeric_limits<double>::infinity();
+    }
+    return setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought), params);
+  }
+
+  /// With no weight where they do not match.
+  [[nodiscard]] Proposal compare_scans(Proposal proposal,
+                                       const std::optional<StepReach>& step_reach) const {
+    const MatchResult match = match_of(proposal);
     if (!match.T_reference_current) return proposal;
     const Pose2& T_known_sought = *match.T_reference_current;
-    proposal.weight = vote_weight(match.status);
-    proposal.places = matched_places(
-        proposal.known, proposal.sought, T_known_sought, information_of_joint(params_));
+    proposal.weight = step_reach
+                          ? log_odds_across_steps(
+                                match, proposal.sought - proposal.known, *step_reach, params_.odds)
+                          : vote_weight(match.status);
+    proposal.places = matched_places(proposal.known,
+                                     proposal.sought,
+                                     T_known_sought,
+                                     information_of_joint(params_, match.degenerate_direction_rad));
     proposal.places.score = match.score;
     proposal.places.contradiction = match.contradiction;
     proposal.T_map_piece =
@@ -370,8 +389,7 @@ class PieceJoiner {
   }
 
   [[nodiscard]] Proposal verify(Proposal proposal) const {
-    const MatchResult match =
-        setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought));
+    const MatchResult match = match_of(proposal);
     if (match.status != MatchStatus::kMatched) return proposal;
 
     const auto found =
@@ -434,32 +452,6 @@ class PieceJoiner {
     }
     if (2.0 * num_votes(most_agreed(others, num_votes)) >= num_votes(best)) return {};
     return best;
-  }
-
-  /// Votes of places: what one place saw is told once, however many others it resembles.
-  [[nodiscard]] static double places_in(const std::vector<Proposal>& proposals) {
-    std::set<std::size_t> places;
-    for (const Proposal& proposal : proposals) places.insert(proposal.sought);
-    return static_cast<double>(places.size());
-  }
-  /// The same, where a place counts the less the more of its walls are contradicted: what looks
-  /// like it is not yet it.
-  [[nodiscard]] static double places_seen_in(const std::vector<Proposal>& proposals) {
-    constexpr double kNoPlace = 0.1;  // So much is contradicted at most (ClosureVerdictParams).
-    std::map<std::size_t, double> places;
-    for (const Proposal& proposal : proposals) {
-      double& place = places[proposal.sought];
-      place = std::max(place, 1.0 - proposal.places.contradiction / kNoPlace);
-    }
-    double sum = 0.0;
-    for (const auto& [place, votes] : places) sum += votes;
-    return sum;
-  }
-  /// Votes of matches across a break, where a scan or two is all there may be.
-  [[nodiscard]] static double weight_in(const std::vector<Proposal>& proposals) {
-    double sum = 0.0;
-    for (const Proposal& proposal : proposals) sum += proposal.weight;
-    return sum;
   }
 
   const KeyframeTrack& track_;
