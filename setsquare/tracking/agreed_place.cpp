@@ -150,19 +150,19 @@ double log_odds_of_place(double probability, double odds_against, const StepOdds
   return std::log((1.0 - wrong) / (wrong * odds_against));
 }
 
-std::optional<LikelyPlace> likely_place(std::span<const PlaceVote> votes,
-                                        const ExpectedStep& step,
-                                        const PlaceVoteParams& params) {
-  std::optional<LikelyPlace> best;
+std::optional<ProbablePlace> probable_place(std::span<const PlaceVote> votes,
+                                            const ExpectedStep& step,
+                                            const PlaceVoteParams& params) {
+  std::optional<ProbablePlace> best;
   for (const PlaceVote& vote : votes) {
     const double probability = probability_of(vote.T_odom_sensor, votes, step, params);
     const bool is_likely =
         vote.status != MatchStatus::kNoOverlap && probability >= params.min_probability;
     if (!is_likely || (best && probability <= best->probability)) continue;
-    best = LikelyPlace{.T_odom_sensor = vote.T_odom_sensor,
-                       .probability = probability,
-                       .is_open = true,
-                       .open_direction_rad = vote.open_direction_rad};
+    best = ProbablePlace{.T_odom_sensor = vote.T_odom_sensor,
+                         .probability = probability,
+                         .is_open = true,
+                         .open_direction_rad = vote.open_direction_rad};
   }
   if (!best) return std::nullopt;
   for (const PlaceVote& vote : votes) {

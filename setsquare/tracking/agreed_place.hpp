@@ -87,7 +87,7 @@ struct ExpectedStep {
                                        const StepOddsParams& params);
 
 /// Where a scan stands by the surest of the matches that have it there and by the robot's motion.
-struct LikelyPlace {
+struct ProbablePlace {
   Pose2 T_odom_sensor;
   double probability = 0.0;
   bool is_open = false;  ///< Whether every match that has it there is degenerate.
@@ -98,9 +98,9 @@ struct LikelyPlace {
 /// The likeliest place, if it is likely enough and no other place is. Degenerate matches count:
 /// among key frames in a corridor there may be no others, and within reach of a step they are
 /// right.
-[[nodiscard]] std::optional<LikelyPlace> likely_place(std::span<const PlaceVote> votes,
-                                                      const ExpectedStep& step,
-                                                      const PlaceVoteParams& params);
+[[nodiscard]] std::optional<ProbablePlace> probable_place(std::span<const PlaceVote> votes,
+                                                          const ExpectedStep& step,
+                                                          const PlaceVoteParams& params);
 
 /// Whether the odometry speaks against a place beyond its reach. That which has proved true: the
 /// scan fits where the robot drove as well, or fewer votes are for the place than a jump needs;

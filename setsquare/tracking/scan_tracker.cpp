@@ -251,8 +251,8 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
     }
     if (!has_odometry) {
       const bool is_poor = fit.alignment.score() < least_score(fit);
-      const auto likely = is_poor ? likely_place(votes, step, params_.votes) : std::nullopt;
-      if (likely) return place_as_likely(problem, *likely, fit);
+      const auto likely = is_poor ? probable_place(votes, step, params_.votes) : std::nullopt;
+      if (likely) return place_as_probable(problem, *likely, fit);
       if (long_steps_.are_usual()) {
         const auto along = place_along_walls(problem, votes, fit);
         if (along) return *along;
@@ -335,9 +335,9 @@ TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
   return answer_of(fit, params_.refinement);
 }
 
-TrackedPose ScanTracker::place_as_likely(const TrackingProblem& problem,
-                                         const LikelyPlace& place,
-                                         const SubmapFit& tracked) {
+TrackedPose ScanTracker::place_as_probable(const TrackingProblem& problem,
+                                           const ProbablePlace& place,
+                                           const SubmapFit& tracked) {
   if (!place.is_open) return place_as_agreed(problem, place.T_odom_sensor, tracked);
   SubmapFit fit = refined_at(place.T_odom_sensor, problem.points);
   if (!is_same_place(place.T_odom_sensor, fit.T_odom_sensor, params_.votes)) {

@@ -185,9 +185,9 @@ class ScanTracker {
                               const std::optional<SubmapFit>& tracked);
   /// The scan at a likely place. What its matches leave open is as uncertain as they may be wrong
   /// by; where that is the turn, the scan counts as found again. `tracked`: as of place_as_agreed.
-  [[nodiscard]] TrackedPose place_as_likely(const TrackingProblem& problem,
-                                            const LikelyPlace& place,
-                                            const SubmapFit& tracked);
+  [[nodiscard]] TrackedPose place_as_probable(const TrackingProblem& problem,
+                                              const ProbablePlace& place,
+                                              const SubmapFit& tracked);
   /// The scan where its walls fit, though nothing tells how far it is along them: among key frames
   /// in a corridor the last motion does not. Its heading, unless that was predicted, is what the
   /// keyframes' matches tell, which do not tell one way along a corridor from the other; a robot

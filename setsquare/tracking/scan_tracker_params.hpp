@@ -180,7 +180,7 @@ struct StepOddsParams {
   void validate() const;
 };
 
-/// Parameters of place_votes, agreed_place and likely_place.
+/// Parameters of place_votes, agreed_place and probable_place.
 struct PlaceVoteParams {
   std::size_t num_keyframes = 4;    ///< Asked, the latest.
   double same_m = 0.3;              ///< Poses nearer than this ...

@@ -108,35 +108,36 @@ TEST(AgreedPlace, ByTheLastMotionAJumpNeedsMatchesAsSureAsItIsFar) {
   EXPECT_TRUE(is_agreed(kElsewhere, 1.0, without)) << "without the rule";
 }
 
-TEST(LikelyPlace, IsWhereADegenerateMatchHasTheScanWithinReach) {
+TEST(ProbablePlace, IsWhereADegenerateMatchHasTheScanWithinReach) {
   PlaceVote open = vote(kHere, MatchStatus::kDegenerate, 0.6);
   open.open_direction_rad = 0.3;
   EXPECT_FALSE(agreed({open}, kStepHere)) << "without the rule";
-  const auto place = likely_place(std::vector{open}, kStepHere, {});
+  const auto place = probable_place(std::vector{open}, kStepHere, {});
   ASSERT_TRUE(place);
   EXPECT_EQ(place->T_odom_sensor, kHere);
   EXPECT_TRUE(place->is_open);
   EXPECT_EQ(place->open_direction_rad, 0.3);
   open.T_odom_sensor = kElsewhere;
-  EXPECT_FALSE(likely_place(std::vector{open}, kStepHere, {})) << "beyond reach";
-  EXPECT_FALSE(likely_place({}, kStepHere, {}));
+  EXPECT_FALSE(probable_place(std::vector{open}, kStepHere, {})) << "beyond reach";
+  EXPECT_FALSE(probable_place({}, kStepHere, {}));
 }
 
-TEST(LikelyPlace, IsNotOpenWhereAMatchDeterminesIt) {
-  const auto place = likely_place(std::vector{vote(kHere, MatchStatus::kDegenerate, 0.9),
-                                              vote(kNearHere, MatchStatus::kAmbiguous, 0.8)},
-                                  kStepHere,
-                                  {});
+TEST(ProbablePlace, IsNotOpenWhereAMatchDeterminesIt) {
+  const auto place = probable_place(std::vector{vote(kHere, MatchStatus::kDegenerate, 0.9),
+                                                vote(kNearHere, MatchStatus::kAmbiguous, 0.8)},
+                                    kStepHere,
+                                    {});
   ASSERT_TRUE(place);
   EXPECT_FALSE(place->is_open);
 }
 
-TEST(LikelyPlace, IsNoneWhereTwoAreLikelyOrNothingOverlaps) {
+TEST(ProbablePlace, IsNoneWhereTwoAreLikelyOrNothingOverlaps) {
   const PlaceVote here = vote(kHere, MatchStatus::kDegenerate, 0.9);
   const PlaceVote back = vote({-1.0, 0.0, 0.0}, MatchStatus::kDegenerate, 0.9);
-  EXPECT_TRUE(likely_place(std::vector{here}, kStepHere, {}));
-  EXPECT_FALSE(likely_place(std::vector{here, back}, kStepHere, {}));
-  EXPECT_FALSE(likely_place(std::vector{vote(kHere, MatchStatus::kNoOverlap, 0.9)}, kStepHere, {}));
+  EXPECT_TRUE(probable_place(std::vector{here}, kStepHere, {}));
+  EXPECT_FALSE(probable_place(std::vector{here, back}, kStepHere, {}));
+  EXPECT_FALSE(
+      probable_place(std::vector{vote(kHere, MatchStatus::kNoOverlap, 0.9)}, kStepHere, {}));
 }
 
 // Laws: the farther a robot would have gone, the more its motion speaks against it; a longer reach
