@@ -253,6 +253,22 @@ def key_frames(way_m, turn_deg):
     return fault
 
 
+def uneven_key_frames(way_m, turn_deg):
+    """The same from some scan among the first, at ways and turns that differ: by up to 30 % less and 15 % more."""
+    def fault(scans, draw):
+        first = draw.randrange(min(50, len(scans)))
+        kept, longest_m, longest_deg = [scans[first]], way_m, turn_deg
+        for scan in scans[first + 1:]:
+            (x, y, h), (u, v, g) = kept[-1]["truth"], scan["truth"]
+            turn = abs(math.degrees(math.remainder(g - h, 2 * math.pi)))
+            if math.hypot(u - x, v - y) > longest_m or turn > longest_deg:
+                kept.append(scan)
+                longest_m = way_m * draw.uniform(0.7, 1.15)
+                longest_deg = turn_deg * draw.uniform(0.7, 1.15)
+        return kept
+    return fault
+
+
 def glass(share, cell_m=2.0):
     """In this share of the squares of the building the walls are of glass: nothing comes back."""
     def fault(scans, draw):

@@ -23,6 +23,8 @@ OF_SCANS = {
     "posts 4": (faults.posts(4, 12.0),), "each twice": (faults.sent_again(2),),
     "each five times": (faults.sent_again(5),), "every 3rd scan": (faults.every_scan(3),),
     "every 8th scan": (faults.every_scan(8),), "key frames": (faults.key_frames(1.0, 30.0),),
+    **{f"{way_m:g} m or {turn_deg:g} deg": (faults.uneven_key_frames(way_m, turn_deg),)
+       for way_m, turn_deg in ((1.0, 30.0), (1.0, 45.0), (1.5, 60.0), (2.0, 40.0))},
     "paused 5 s": (faults.paused(5.0),), "stuck 3 s": (faults.stuck(3.0),),
 }
 # What is done to the odometry.

@@ -58,12 +58,15 @@ std::vector<PieceNodes> nodes_of_pieces(const Map& track) {
   return pieces;
 }
 
-/// The nodes at which spreads jump: behind unseconded steps, and behind departures.
+/// The nodes at which spreads jump: behind unseconded steps, behind departures, and along stretches
+/// that the walls leave open, whose ends a loop may hold and whose middle nothing does.
 std::vector<std::size_t> jump_nodes(const Map& track, std::span<const std::size_t> unseconded) {
+  constexpr double kLeastOpen_m = 0.1;  // Less does not show between nodes.
   std::vector<std::size_t> nodes(unseconded.begin(), unseconded.end());
   for (std::size_t k = 0; k < track.track.motions.size(); ++k) {
     const MotionCovariance& motion = track.track.motions[k].covariance;
-    if (motion.departure_sigma_m + motion.departure_sigma_rad > 0.0) nodes.push_back(k);
+    const bool departs = motion.departure_sigma_m + motion.departure_sigma_rad > 0.0;
+    if (departs || motion.open_sigma_m.trace() > kLeastOpen_m) nodes.push_back(k);
   }
   return nodes;
 }

@@ -251,8 +251,8 @@ TrackedPose ScanTracker::place_expected(ArrivedScan& scan,
     }
     if (!has_odometry) {
       const bool is_poor = fit.alignment.score() < least_score(fit);
-      const auto likely = is_poor ? probable_place(votes, step, params_.votes) : std::nullopt;
-      if (likely) return place_as_probable(problem, *likely, fit);
+      const auto probable = is_poor ? probable_place(votes, step, params_.votes) : std::nullopt;
+      if (probable) return place_as_probable(problem, *probable, fit);
       if (long_steps_.are_usual()) {
         const auto along = place_along_walls(problem, votes, fit);
         if (along) return *along;

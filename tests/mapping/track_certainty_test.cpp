@@ -95,6 +95,17 @@ TEST(TrackCertainty, PositionsGrowUncertainAlongTheCorridor) {
   }
 }
 
+// Few nodes in a long track: without those of the open stretch the spread would rise in a straight
+// line from the first to the last, in the room and in the corridor.
+TEST(TrackCertainty, AlongAnOpenStretchItIsAskedWhereItRises) {
+  const Map track = map_of_corridor(false);
+  const std::vector<double> by_all_m = position_sigmas_m(track, track.keyframes.size());
+  const std::vector<double> by_few_m = position_sigmas_m(track, 2);
+  for (std::size_t i = 0; i < by_all_m.size(); ++i) {
+    EXPECT_NEAR(by_few_m[i], by_all_m[i], 0.25 * by_all_m[i] + 0.02) << i;
+  }
+}
+
 TEST(TrackCertainty, OfPiecesThatAreNotJoinedNothingIsKnown) {
   Map track = map_of_corridor(false);
   const std::size_t middle = track.scans.size() / 2;
