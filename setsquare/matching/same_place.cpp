@@ -19,7 +19,7 @@ constexpr float kAgreeing_m = 0.15F;
 constexpr double kLittleClose_m = 0.5;
 
 // The figures below are those that `match_probability fit-place` prints
-// (benchmarks/match_probability): a logistic regression over 1459 answers that might stand, of
+// (benchmarks/match_probability): a logistic regression over 1408 answers that might stand, of
 // simulated buildings. No real log had a part in them.
 
 /// Weights of place_features in that order, and the constant.
