@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -153,8 +152,7 @@ Eigen::VectorXd fit_map(const Eigen::VectorXd& weights) {
 /// asked: such pairs have as little in common as different buildings.
 Eigen::VectorXd fit_place() {
   constexpr double kProbable = 0.88;  // Log odds of 2: what is less probable never stands.
-  MatchParams params;
-  params.answer.min_place_log_odds = -std::numeric_limits<double>::infinity();
+  const MatchParams params;
   Examples examples;
   const VisitPair add = [&](const KnownPair& pair) {
     MatchTrace trace;
@@ -202,7 +200,9 @@ void run_fit() {
 class Reliability {
  public:
   void add(const KnownPair& pair) {
-    const MatchResult result = match(pair.reference, pair.current);
+    MatchParams params;
+    params.answer.min_place_log_odds = kOnePlaceLogOdds;  // Some are of different buildings.
+    const MatchResult result = match(pair.reference, pair.current, params);
     const bool right = is_right(result, pair);
     const bool is_matched = result.status == MatchStatus::kMatched;
     ++num_pairs_;

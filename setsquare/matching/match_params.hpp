@@ -95,6 +95,9 @@ struct AliasParams {
   void validate() const;
 };
 
+/// Log odds (same_place) that none of 4,500 pairs of scans of different real buildings reached.
+inline constexpr double kOnePlaceLogOdds = 3.0;
+
 /// When an answer stands. Lengths are of wall, seen from either scan.
 struct AnswerParams {
   std::size_t min_points = 10;              ///< Returns that a scan must have at least.
@@ -102,16 +105,19 @@ struct AnswerParams {
   double min_probability_by_rules = 0.965;  ///< ... by a lower one and all the rules of the score.
   /// Surer answers are not asked whether the scans show one place at all (same_place) ...
   double sure_probability = 0.999994;
-  double min_place_log_odds = 3.0;  ///< ... and all others must show it by these log odds.
-  double min_agreement = 0.10;      ///< Share; below it the scans do not overlap.
-  double min_constraint_m = 0.5;    ///< Wall that must hold the open direction of the position.
-  double min_turning_m3 = 2.0;      ///< Wall times squared lever arm that must hold the rotation.
-  double min_score = 0.24;          ///< An answer stands by its score ...
-  double min_margin = 0.08;         ///< ... and a margin above the best different pose,
-  double min_score_alone = 0.05;    ///< or, where much is hidden or has moved, by a lower score ...
-  double min_margin_alone = 0.15;   ///< ... and a wide margin: nothing else comes near.
-  double floor_score = -0.10;       ///< Lower runners-up count as this: no match at all.
-  double low_score = 0.30;          ///< Below it ...
+  /// ... and all others must show it by these log odds: kOnePlaceLogOdds for scans that may be of
+  /// different buildings. Not asked by default, for in corridors of one building it costs right
+  /// answers.
+  double min_place_log_odds = -std::numeric_limits<double>::infinity();
+  double min_agreement = 0.10;     ///< Share; below it the scans do not overlap.
+  double min_constraint_m = 0.5;   ///< Wall that must hold the open direction of the position.
+  double min_turning_m3 = 2.0;     ///< Wall times squared lever arm that must hold the rotation.
+  double min_score = 0.24;         ///< An answer stands by its score ...
+  double min_margin = 0.08;        ///< ... and a margin above the best different pose,
+  double min_score_alone = 0.05;   ///< or, where much is hidden or has moved, by a lower score ...
+  double min_margin_alone = 0.15;  ///< ... and a wide margin: nothing else comes near.
+  double floor_score = -0.10;      ///< Lower runners-up count as this: no match at all.
+  double low_score = 0.30;         ///< Below it ...
   double min_wall_m = 3.0;  ///< ... this much wall must hold the pose, both directions summed.
   /// The margin must reach this many times the share of one scan's wall, agreeing or contradicted,
   /// that the other contradicts.

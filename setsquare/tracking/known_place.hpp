@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <limits>
-
 #include "setsquare/matching/match_params.hpp"
 
 namespace setsquare {
@@ -17,7 +15,6 @@ namespace setsquare {
   params.answer.min_distinct_m = 0.0;
   params.answer.clear_distinct_m = 0.0;
   params.answer.min_probability_by_rules = 0.0;
-  params.answer.min_place_log_odds = -std::numeric_limits<double>::infinity();
   params.alias.is_on = false;
   return params;
 }

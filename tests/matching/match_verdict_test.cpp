@@ -165,8 +165,14 @@ INSTANTIATE_TEST_SUITE_P(
              [](Case& c) { c.distinct_wall_m = 1.79; },
              kAmbiguous},
         Rule{"min_place_log_odds",
-             [](Case& c) { c.place_log_odds = c.params.min_place_log_odds + 0.01; },
-             [](Case& c) { c.place_log_odds = c.params.min_place_log_odds - 0.01; },
+             [](Case& c) {
+               c.params.min_place_log_odds = 3.0;
+               c.place_log_odds = 3.01;
+             },
+             [](Case& c) {
+               c.params.min_place_log_odds = 3.0;
+               c.place_log_odds = 2.99;
+             },
              kAmbiguous},
         Rule{"min_probability_by_rules",
              [](Case& c) { c.probability = c.params.min_probability_by_rules + 0.001; },

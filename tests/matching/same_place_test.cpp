@@ -46,11 +46,11 @@ TEST(SamePlace, EndsOfTwoCorridorsAreTakenForOneLessOftenThanWithoutTheRule) {
     const PreparedScan here = look(one, b, generator());
     if (is_matched(reference, elsewhere, kOff)) {
       ++of_two_without;
-      of_two += is_matched(reference, elsewhere, AnswerParams{}.min_place_log_odds);
+      of_two += is_matched(reference, elsewhere, kOnePlaceLogOdds);
     }
     if (is_matched(reference, here, kOff)) {
       ++of_one_without;
-      of_one += is_matched(reference, here, AnswerParams{}.min_place_log_odds);
+      of_one += is_matched(reference, here, kOnePlaceLogOdds);
     }
   }
   EXPECT_GE(of_two_without, kNumPairs / 20);

@@ -342,11 +342,11 @@ class PieceJoiner {
     return proposals;
   }
 
-  /// Scans of one session are of one building, and need not show that they are no strangers.
+  /// Scans of different sessions may be of different buildings, and must show that they are not.
   [[nodiscard]] MatchResult match_of(const Proposal& proposal) const {
     MatchParams params;
-    if (session_of(proposal.known) == session_of(proposal.sought)) {
-      params.answer.min_place_log_odds = -std::numeric_limits<double>::infinity();
+    if (session_of(proposal.known) != session_of(proposal.sought)) {
+      params.answer.min_place_log_odds = kOnePlaceLogOdds;
     }
     return setsquare::match(prepared_.at(proposal.known), prepared_.at(proposal.sought), params);
   }
