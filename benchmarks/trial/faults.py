@@ -240,14 +240,19 @@ def every_scan(step):
     return fault
 
 
+def _moved(before, after):
+    """Way in m and turn in deg from one scan to another."""
+    (x, y, h), (u, v, g) = before["truth"], after["truth"]
+    return math.hypot(u - x, v - y), abs(math.degrees(math.remainder(g - h, 2 * math.pi)))
+
+
 def key_frames(way_m, turn_deg):
     """A log that has a scan only where the robot has moved so far since the last."""
     def fault(scans, _draw):
         kept = scans[:1]
         for scan in scans[1:]:
-            (x, y, h), (u, v, g) = kept[-1]["truth"], scan["truth"]
-            turn = abs(math.degrees(math.remainder(g - h, 2 * math.pi)))
-            if math.hypot(u - x, v - y) >= way_m or turn >= turn_deg:
+            moved_m, turned_deg = _moved(kept[-1], scan)
+            if moved_m >= way_m or turned_deg >= turn_deg:
                 kept.append(scan)
         return kept
     return fault
@@ -259,9 +264,8 @@ def uneven_key_frames(way_m, turn_deg):
         first = draw.randrange(min(50, len(scans)))
         kept, longest_m, longest_deg = [scans[first]], way_m, turn_deg
         for scan in scans[first + 1:]:
-            (x, y, h), (u, v, g) = kept[-1]["truth"], scan["truth"]
-            turn = abs(math.degrees(math.remainder(g - h, 2 * math.pi)))
-            if math.hypot(u - x, v - y) > longest_m or turn > longest_deg:
+            moved_m, turned_deg = _moved(kept[-1], scan)
+            if moved_m > longest_m or turned_deg > longest_deg:
                 kept.append(scan)
                 longest_m = way_m * draw.uniform(0.7, 1.15)
                 longest_deg = turn_deg * draw.uniform(0.7, 1.15)

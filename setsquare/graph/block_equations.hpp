@@ -51,8 +51,7 @@ class SparseBlocks {
  private:
   struct Sparse;
 
-  int size_;
-
+  int size_ = 0;  ///< Rows of a block.
   std::unique_ptr<Sparse> sparse_;
   double* values_ = nullptr;            ///< Of the sparse matrix.
   const int* column_starts_ = nullptr;  ///< The same.

@@ -97,9 +97,9 @@ struct PieceJoiningParams {
   double min_votes_across_break = 1.5;  ///< ... and votes that must agree (vote_weight).
   /// Where they are long: the log odds of the surest of the places that agree.
   double min_log_odds_across_break = 3.0;
-  LongStepParams steps =
-      {};                    ///< How far the robot may go from keyframe to keyframe across a break.
-  StepOddsParams odds = {};  ///< What that says of a place.
+  /// How far the robot may go from keyframe to keyframe across a break ...
+  LongStepParams steps = {};
+  StepOddsParams odds = {};                    ///< ... and what that says of a place.
   double joint_sigma_m = 0.05;                 ///< Of such a match, in position ...
   double joint_sigma_rad = rad_from_deg(1.5);  ///< ... and heading, ...
   double joint_open_sigma_m = 0.3;          ///< ... and along a direction that a match leaves open.

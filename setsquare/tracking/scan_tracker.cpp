@@ -324,26 +324,26 @@ SubmapFit ScanTracker::refined_at(const Pose2& place, const SurfaceSamples& poin
   return refine_in_submap(at_place, place, params_.refinement);
 }
 
+SubmapFit ScanTracker::held_at(const Pose2& place, const SurfaceSamples& points) {
+  SubmapFit fit = refined_at(place, points);
+  if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
+  return fit;
+}
+
 TrackedPose ScanTracker::place_as_agreed(const TrackingProblem& problem,
                                          const Pose2& place,
                                          const std::optional<SubmapFit>& tracked) {
   const bool is_where_expected = tracked && tracked->alignment.score() >= least_score(*tracked) &&
                                  is_same_place(place, tracked->T_odom_sensor, params_.votes);
   if (is_where_expected) return judged(problem, *tracked, false);
-  SubmapFit fit = refined_at(place, problem.points);
-  if (!is_same_place(place, fit.T_odom_sensor, params_.votes)) fit.T_odom_sensor = place;
-  return answer_of(fit, params_.refinement);
+  return answer_of(held_at(place, problem.points), params_.refinement);
 }
 
 TrackedPose ScanTracker::place_as_probable(const TrackingProblem& problem,
                                            const ProbablePlace& place,
                                            const SubmapFit& tracked) {
   if (!place.is_open) return place_as_agreed(problem, place.T_odom_sensor, tracked);
-  SubmapFit fit = refined_at(place.T_odom_sensor, problem.points);
-  if (!is_same_place(place.T_odom_sensor, fit.T_odom_sensor, params_.votes)) {
-    fit.T_odom_sensor = place.T_odom_sensor;
-  }
-  TrackedPose answer = answer_of(fit, params_.refinement);
+  TrackedPose answer = answer_of(held_at(place.T_odom_sensor, problem.points), params_.refinement);
   if (!place.open_direction_rad) {
     answer.status = TrackStatus::kRecovered;
     return answer;

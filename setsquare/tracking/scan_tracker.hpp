@@ -178,6 +178,8 @@ class ScanTracker {
   void add_departure(const ExpectedStep& step, TrackedPose& tracked) const;
   /// A scan's points where matches have them, held there where the walls leave a direction open.
   [[nodiscard]] SubmapFit refined_at(const Pose2& place, const SurfaceSamples& points);
+  /// The same, which may not carry the scan to another place.
+  [[nodiscard]] SubmapFit held_at(const Pose2& place, const SurfaceSamples& points);
   /// The scan at the place that keyframes agree upon, matched with it one by one. `tracked`: the
   /// fit about the predicted pose, which stays where it is the same place.
   TrackedPose place_as_agreed(const TrackingProblem& problem,

@@ -64,6 +64,7 @@ void RecoveryParams::validate() const {
 void StepOddsParams::validate() const {
   require_not_negative(decades_per_reach, "step_odds.decades_per_reach");
   require_positive(least_wrong, "step_odds.least_wrong");
+  if (!(least_wrong < 0.5)) throw ParameterError("step_odds.least_wrong", "must be below 0.5");
 }
 
 void PlaceVoteParams::validate() const {

@@ -52,6 +52,7 @@ std::vector<BadField> bad_fields() {
       {"votes.least_open_sigma_m", [](P& p) { p.votes.least_open_sigma_m = 0.0; }},
       {"step_odds.decades_per_reach", [](P& p) { p.votes.odds.decades_per_reach = -1.0; }},
       {"step_odds.least_wrong", [](P& p) { p.votes.odds.least_wrong = 0.0; }},
+      {"step_odds.least_wrong", [](P& p) { p.votes.odds.least_wrong = 0.5; }},
       {"refinement.turn.noise_rad", [](P& p) { p.refinement.turn.noise_rad = -0.1; }},
       {"refinement.turn.bound_rad", [](P& p) { p.refinement.turn.bound_rad = 0.0; }},
       {"odometry.stretch_m", [](P& p) { p.odometry.stretch_m = 0.0; }},
